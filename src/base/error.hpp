@@ -1,0 +1,67 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tt {
+
+/// One thing wrong in what the user wrote, with what to write instead. line 0: not tied to a line.
+struct Fault {
+    std::string file;
+    int line = 0;
+    int column = 0;
+    std::string message;
+};
+
+/// `file:line:column: message`, the form editors and people know.
+std::string to_string(const Fault& fault);
+
+/// The user's input is at fault (exit 2). Carries every fault at once.
+class CaseError : public std::runtime_error {
+public:
+    explicit CaseError(std::vector<Fault> faults);
+    const std::vector<Fault>& faults() const { return faults_; }
+
+private:
+    std::vector<Fault> faults_;
+};
+
+/// A file or directory cannot be read or written (exit 5). The message names the path and the cause.
+class IoError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The results directory belongs to another run or another case (exit 4).
+class DirectoryInUse : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// What a guard saw. cell and node are -1 where they do not apply; values are in the stated unit.
+struct Instability {
+    std::string quantity;  ///< e.g. "node step"
+    double value = 0.0;
+    double limit = 0.0;
+    std::string unit;      ///< e.g. "sites"
+    long long step = 0;
+    double time = 0.0;     ///< [s]
+    int cell = -1;
+    int node = -1;
+    std::string cause;     ///< likely cause
+    std::string cure;      ///< what to change
+};
+
+/// The simulation left what it can compute (exit 3). The last good state is kept.
+class SimulationError : public std::runtime_error {
+public:
+    explicit SimulationError(Instability what);
+    const Instability& instability() const { return what_; }
+
+private:
+    Instability what_;
+};
+
+}  // namespace tt

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "coupling/delta/delta.hpp"
+#include "grid/field.hpp"
+#include "membrane/suspension.hpp"
+
+namespace tt {
+
+/// Where each node meets the lattice: the 4 × 4 block of sites from (i, j) and the weights along x and along y, whose
+/// products sum to 1. Computed once a step and shared by spread and interpolate, which are therefore adjoint to the bit.
+/// i is wrapped into the box, so that the block lies on sites or on the halo; per-node arrays.
+struct Stencils {
+    static constexpr int reach = 4;
+    std::vector<std::int32_t> i, j;
+    std::array<std::vector<double>, reach> wx, wy;
+};
+
+/// Weights of every node. Near a wall, where the block sticks out of the fluid, the y weights are made one-sided so
+/// that force, torque and linear velocity profiles are still exact (docs/theory/coupling.md). Team function.
+void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells, Stencils& stencils);
+
+/// Eqs. 8, 9: adds the node forces to the force field, halo included (then Exchange::fold). Owner of rows: every thread
+/// adds, in node order, what falls on its own rows, so the bits do not depend on the number of threads. Team function.
+void spread(const Stencils& stencils, const Suspension& cells, VectorField& force);
+
+/// Zeroes the sites and halo sites that the last `spread` with these stencils touched. Team function.
+void unspread(const Stencils& stencils, VectorField& force);
+
+/// Eq. 7: node velocities from the velocity field (halo filled). Team function.
+void interpolate(const Stencils& stencils, const VectorField& velocity, Suspension& cells);
+
+}  // namespace tt

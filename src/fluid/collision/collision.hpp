@@ -1,0 +1,28 @@
+#pragma once
+
+#include <variant>
+
+namespace tt {
+
+/// Two relaxation times (Ginzburg 2005): (τ⁺ − ½)(τ⁻ − ½) = Λ. Λ = 3/16 puts half-way walls exactly for
+/// Poiseuille flow whatever the viscosity.
+struct Trt {
+    double magic = 3.0 / 16.0;
+    /// 1/τ⁻ that belongs to 1/τ⁺ = even.
+    double odd_rate(double even) const {
+        const double half_step = 1.0 / even - 0.5;
+        return half_step / (0.5 * half_step + magic);
+    }
+};
+
+/// One relaxation time (Eq. 1 of the paper).
+struct Bgk {
+    double odd_rate(double even) const { return even; }
+};
+
+using Collision = std::variant<Trt, Bgk>;
+
+/// 1/τ⁺ of the lattice kinematic viscosity ν = (τ − ½)/3.
+inline double even_rate(double viscosity) { return 1.0 / (3.0 * viscosity + 0.5); }
+
+}  // namespace tt

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/vec2.hpp"
+
+namespace tt {
+
+/// All cells' membrane nodes, cell after cell, each outline counter-clockwise. Structure of arrays, lattice
+/// units, per unit depth. Positions are unwrapped: a cell that left through an end keeps counting x on.
+/// Segment k joins node k to its successor on the same cell.
+struct Suspension {
+    std::vector<std::int32_t> first{0};  ///< nodes of cell c are first[c] … first[c+1]
+
+    // Per node.
+    std::vector<double> x, y;    ///< position
+    std::vector<double> fx, fy;  ///< force on the fluid
+    std::vector<double> ux, uy;  ///< velocity of the last step
+    std::vector<double> rest_curvature;  ///< κ₀
+
+    // Per segment, indexed by its first node.
+    std::vector<double> rest_length;  ///< l₀
+
+    // Per cell.
+    std::vector<double> reference_area;       ///< A_ref
+    std::vector<double> reference_perimeter;  ///< L₀, the sum of rest lengths
+    std::vector<double> alpha;                ///< α(λ_C) of the last step: scales area pressure and repulsion
+    std::vector<double> area;                 ///< A of the last step
+
+    int cell_count() const { return static_cast<int>(first.size()) - 1; }
+    int node_count() const { return first.back(); }
+    int node_count(int cell) const { return first[cell + 1] - first[cell]; }
+    Vec2 position(int node) const { return {x[node], y[node]}; }
+    Vec2 velocity(int node) const { return {ux[node], uy[node]}; }
+    Vec2 force(int node) const { return {fx[node], fy[node]}; }
+};
+
+/// A read-only look at one cell's outline.
+struct Outline {
+    std::span<const double> x, y;
+    int size() const { return static_cast<int>(x.size()); }
+    Vec2 operator[](int k) const { return {x[k], y[k]}; }
+};
+
+inline Outline outline(const Suspension& cells, int cell) {
+    const auto first = static_cast<std::size_t>(cells.first[cell]);
+    const auto count = static_cast<std::size_t>(cells.node_count(cell));
+    return {{cells.x.data() + first, count}, {cells.y.data() + first, count}};
+}
+
+/// Adds a cell whose nodes `points` are its stress-free shape: rest lengths and reference area are those of the
+/// polygon, rest curvature that of its nodes. Precondition: at least 8 points, counter-clockwise, simple.
+void add_cell(Suspension& cells, const std::vector<Vec2>& points);
+
+}  // namespace tt

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "base/quantity.hpp"
+#include "coupling/delta/delta.hpp"
+#include "coupling/viscosity.hpp"
+#include "fluid/boundaries.hpp"
+#include "fluid/equilibrium.hpp"
+#include "grid/lattice.hpp"
+#include "interaction/contact.hpp"
+#include "membrane/forces.hpp"
+
+namespace tt {
+
+/// How the flow is driven and held. Lattice units.
+struct Drive {
+    double body_force = 0.0;      ///< uniform, along x; the controller's first guess when it holds the mean velocity
+    bool hold_mean_velocity = false;
+    double target_velocity = 0.0; ///< mean velocity to hold, or the nominal one
+};
+
+/// Everything that does not change during a run. Lattice units; `scales` leads back to SI.
+struct Model {
+    Lattice lattice;
+    Scales scales;
+    double density_scale = 1.0;   ///< S: how much the simulated density, and with it the Reynolds number, is raised
+    Equilibrium equilibrium;
+    Boundaries boundaries;
+    Drive drive;
+    ViscosityModel viscosity;
+    Delta delta;
+    Membrane membrane;
+    ContactModel contact;
+    double shear_rate = 0.0;      ///< nominal k: wall shear rate, or pseudo-shear rate of a channel [1/step]
+    int threads = 1;
+};
+
+}  // namespace tt

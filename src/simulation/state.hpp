@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+#include "coupling/stencil.hpp"
+#include "coupling/viscosity.hpp"
+#include "fluid/populations.hpp"
+#include "fluid/relaxation.hpp"
+#include "interaction/contact.hpp"
+#include "membrane/suspension.hpp"
+
+namespace tt {
+
+/// What the controller of the mean velocity remembers.
+struct DriveState {
+    double body_force = 0.0;     ///< acting now
+    double mean_velocity = 0.0;  ///< mean of u_x over all sites at the last look
+    double integral = 0.0;
+};
+
+/// All that changes. A checkpoint holds step, populations, cells, drive and the contact counters; the rest is derived.
+struct State {
+    std::int64_t step = 0;
+    Populations populations;
+    Suspension cells;
+    DriveState drive;
+    ContactState contact;
+
+    // Derived from the above at every step.
+    VectorField force;
+    VectorField velocity;
+    Relaxation relaxation;
+    InteriorState interior;
+    Stencils stencils;
+};
+
+}  // namespace tt
