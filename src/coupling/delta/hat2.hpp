@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+
+#include "base/isa.hpp"
+
+namespace tt {
+
+/// The 2-point hat: φ(r) = 1 − |r|, bilinear interpolation.
+struct Hat2 {
+    static constexpr std::string_view name = "hat2";
+    TT_INLINE static void weights(double s, double (&w)[4]) {
+        w[0] = 0.0;
+        w[1] = 1.0 - s;
+        w[2] = s;
+        w[3] = 0.0;
+    }
+};
+
+}  // namespace tt

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <variant>
+
+#include "membrane/in_plane/hookean.hpp"
+#include "membrane/in_plane/neo_hookean.hpp"
+#include "membrane/in_plane/skalak.hpp"
+
+namespace tt {
+
+/// The in-plane laws. A new law is one header with `tension(λ)` and `energy(λ)` plus its name here.
+using InPlane = std::variant<NeoHookean, Hookean, Skalak>;
+
+}  // namespace tt
