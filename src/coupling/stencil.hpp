@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -12,11 +11,15 @@ namespace tt {
 
 /// Where each node meets the lattice: the 4 × 4 block of sites from (i, j) and the weights along x and along y, whose
 /// products sum to 1. Computed once a step and shared by spread and interpolate, which are therefore adjoint to the bit.
-/// i is wrapped into the box, so that the block lies on sites or on the halo; per-node arrays.
+/// i is wrapped into the box, so that the block lies on sites or on the halo; so is j where y is periodic.
 struct Stencils {
     static constexpr int reach = 4;
-    std::vector<std::int32_t> i, j;
-    std::array<std::vector<double>, reach> wx, wy;
+    std::vector<std::int32_t> i, j;  ///< per node: lower left site of the block
+    std::vector<double> wx, wy;      ///< per node: `reach` weights along each axis
+
+    Stencils() = default;
+    explicit Stencils(int node_count)
+        : i(node_count), j(node_count), wx(reach * node_count), wy(reach * node_count) {}
 };
 
 /// Weights of every node. Near a wall, where the block sticks out of the fluid, the y weights are made one-sided so

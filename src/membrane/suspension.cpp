@@ -1,0 +1,42 @@
+#include "membrane/suspension.hpp"
+
+#include <cmath>
+
+#include "base/contracts.hpp"
+
+namespace tt {
+namespace {
+
+/// Turning 2 tan(θ/2) between two consecutive segments; second order in θ and without bound as they fold.
+double turning(Vec2 before, Vec2 after) {
+    return 2.0 * cross(before, after) / (norm(before) * norm(after) + dot(before, after));
+}
+
+}  // namespace
+
+void add_cell(Suspension& cells, const std::vector<Vec2>& points) {
+    TT_EXPECTS(points.size() >= 8);
+    const std::size_t n = points.size();
+    double doubled_area = 0.0;
+    double perimeter = 0.0;
+    for (std::size_t k = 0; k < n; ++k) {
+        const Vec2 here = points[k];
+        const Vec2 after = points[(k + 1) % n] - here;
+        const Vec2 before = here - points[(k + n - 1) % n];
+        cells.x.push_back(here.x);
+        cells.y.push_back(here.y);
+        cells.rest_length.push_back(norm(after));
+        cells.rest_curvature.push_back(turning(before, after) / (0.5 * (norm(before) + norm(after))));
+        doubled_area += cross(here - points[0], after);
+        perimeter += norm(after);
+    }
+    TT_EXPECTS(doubled_area > 0.0);
+    cells.first.push_back(cells.first.back() + static_cast<std::int32_t>(n));
+    for (auto* per_node : {&cells.fx, &cells.fy, &cells.ux, &cells.uy}) per_node->resize(cells.x.size(), 0.0);
+    cells.reference_area.push_back(0.5 * doubled_area);
+    cells.reference_perimeter.push_back(perimeter);
+    cells.alpha.push_back(1.0);
+    cells.area.push_back(0.5 * doubled_area);
+}
+
+}  // namespace tt
