@@ -159,15 +159,25 @@ void spread(const Stencils& stencils, const Suspension& cells, VectorField& forc
 }
 
 void unspread(const Stencils& stencils, VectorField& force) {
+    const Lattice& lattice = force.x.lattice();
     const Rows rows = own_rows(force);
+    const auto clear = [&](int i, int j) {
+        const std::ptrdiff_t at = j * rows.pitch + i;
+        for (int k = 0; k < reach; ++k) rows.x[at + k] = rows.y[at + k] = 0.0;
+    };
     const int count = static_cast<int>(stencils.i.size());
     for (int n = 0; n < count; ++n) {
-        const int j0 = stencils.j[n];
-        const int first = std::max(rows.begin - j0, 0);
-        const int last = std::min(rows.end - j0, reach);
-        for (int l = first; l < last; ++l) {
-            const std::ptrdiff_t at = (j0 + l) * rows.pitch + stencils.i[n];
-            for (int k = 0; k < reach; ++k) rows.x[at + k] = rows.y[at + k] = 0.0;
+        const int i = stencils.i[n];
+        for (int l = 0; l < reach; ++l) {
+            const int j = stencils.j[n] + l;
+            // What hung over an edge was folded to the other side: clear it there as well.
+            const int across_j = j < 0 ? j + lattice.ny : j - lattice.ny;
+            for (const int row : {j, across_j}) {
+                if (row < rows.begin || row >= rows.end) continue;
+                clear(i, row);
+                if (i < 0) clear(i + lattice.nx, row);
+                if (i + reach > lattice.nx) clear(i - lattice.nx, row);
+            }
         }
     }
     team_barrier();

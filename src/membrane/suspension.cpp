@@ -32,11 +32,16 @@ void add_cell(Suspension& cells, const std::vector<Vec2>& points) {
     }
     TT_EXPECTS(doubled_area > 0.0);
     cells.first.push_back(cells.first.back() + static_cast<std::int32_t>(n));
-    for (auto* per_node : {&cells.fx, &cells.fy, &cells.ux, &cells.uy}) per_node->resize(cells.x.size(), 0.0);
+    for (auto* zero : {&cells.fx, &cells.fy, &cells.ux, &cells.uy, &cells.edge_x, &cells.edge_y, &cells.tension,
+                       &cells.moment}) {
+        zero->resize(cells.x.size(), 0.0);
+    }
+    for (auto* one : {&cells.length, &cells.stretch, &cells.hardening}) one->resize(cells.x.size(), 1.0);
     cells.reference_area.push_back(0.5 * doubled_area);
     cells.reference_perimeter.push_back(perimeter);
     cells.alpha.push_back(1.0);
     cells.area.push_back(0.5 * doubled_area);
+    cells.perimeter.push_back(perimeter);
 }
 
 }  // namespace tt

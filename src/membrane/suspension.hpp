@@ -28,6 +28,14 @@ struct Suspension {
     std::vector<double> reference_perimeter;  ///< L₀, the sum of rest lengths
     std::vector<double> alpha;                ///< α(λ_C) of the last step: scales area pressure and repulsion
     std::vector<double> area;                 ///< A of the last step
+    std::vector<double> perimeter;            ///< L_C of the last step
+
+    // Derived in every step, per segment (of its first node) but for the moment, which is per node.
+    std::vector<double> edge_x, edge_y;  ///< from the node to its successor
+    std::vector<double> length, stretch;
+    std::vector<double> hardening;       ///< α(λ)
+    std::vector<double> tension;
+    std::vector<double> moment;
 
     int cell_count() const { return static_cast<int>(first.size()) - 1; }
     int node_count() const { return first.back(); }

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "base/vec2.hpp"
+
+namespace tt {
+
+/// Stress-free outlines about the origin, counter-clockwise, nodes at equal arc length. Any unit of length.
+
+/// Circle of the radius given; nodes on the circle.
+std::vector<Vec2> circle(double radius, int nodes);
+
+/// Ellipse of semi-axes `major` (along x) and `minor`.
+std::vector<Vec2> ellipse(double major, double minor, int nodes);
+
+/// Biconcave section of a resting red cell (Evans and Fung 1972; long axis along x), R₀ its half length:
+/// y = ± (R₀/2) √(1 − x²) (0.207161 + 2.002558 x² − 1.122762 x⁴), x in units of R₀. R₀ = 3.91 µm: area 13.63 µm²,
+/// perimeter 19.27 µm.
+std::vector<Vec2> biconcave(double half_length, int nodes);
+
+/// Nodes at equal arc length along the closed polygon `curve`, starting at its first point.
+std::vector<Vec2> at_equal_arc_length(const std::vector<Vec2>& curve, int nodes);
+
+/// Length of the closed polygon.
+double perimeter_of(const std::vector<Vec2>& curve);
+
+/// Enclosed area of the closed polygon, positive if counter-clockwise.
+double area_of(const std::vector<Vec2>& curve);
+
+/// The polygon turned counter-clockwise by `angle` [rad] and moved by `shift`.
+std::vector<Vec2> placed(std::vector<Vec2> curve, double angle, Vec2 shift);
+
+}  // namespace tt

@@ -1,0 +1,40 @@
+#include "simulation/drive.hpp"
+
+#include <numbers>
+
+namespace tt {
+namespace {
+
+double mean_velocity(const Field& ux) {
+    const Lattice& lattice = ux.lattice();
+    double sum = 0.0;
+    for (int j = 0; j < lattice.ny; ++j) {
+        const double* const row = ux.row(j);
+        double lane[8] = {};
+        int i = 0;
+        for (; i + 8 <= lattice.nx; i += 8) {
+            for (int k = 0; k < 8; ++k) lane[k] += row[i + k];
+        }
+        for (; i < lattice.nx; ++i) lane[0] += row[i];
+        for (const double part : lane) sum += part;
+    }
+    return sum / (static_cast<double>(lattice.nx) * lattice.ny);
+}
+
+}  // namespace
+
+void hold_flow(const Model& model, State& state) {
+    if (state.step % drive_interval != 0) return;
+    DriveState& drive = state.drive;
+    drive.mean_velocity = mean_velocity(state.velocity.x);
+    if (!model.drive.hold_mean_velocity) return;
+    // The mean flow answers a force g as U' = g − U/T with T = H²/(π² ν), the slowest viscous mode. A proportional-integral
+    // controller with gain 2/T and integral time T closes the loop at twice the viscous rate, critically damped.
+    const double height = model.lattice.ny;
+    const double response = height * height / (std::numbers::pi * std::numbers::pi * model.viscosity.plasma);
+    const double error = model.drive.target_velocity - drive.mean_velocity;
+    drive.integral += error * drive_interval / response;
+    drive.body_force = model.drive.body_force + (2.0 * error + drive.integral) / response;
+}
+
+}  // namespace tt
