@@ -13,11 +13,11 @@ namespace tt {
 struct Cosine4 {
     static constexpr std::string_view name = "cosine4";
     TT_INLINE static void weights(double s, double (&w)[4]) {
-        // sin(πs/2) and cos(πs/2) by their series about s = ½ (|x| ≤ π/4): error below 1e-16.
+        // sin(πs/2) and cos(πs/2) by their series about s = ½ (|x| ≤ π/4): error below 1e-15.
         const double x = 1.5707963267948966 * (s - 0.5);
         const double q = x * x;
         const double sine = x * (1.0 + q * (-1.0 / 6 + q * (1.0 / 120 + q * (-1.0 / 5040 + q * (1.0 / 362880 +
-                            q * (-1.0 / 39916800 + q * (1.0 / 6227020800.0)))))));
+                            q * (-1.0 / 39916800 + q * (1.0 / 6227020800.0 - q / 1307674368000.0)))))));
         const double cosine = 1.0 + q * (-1.0 / 2 + q * (1.0 / 24 + q * (-1.0 / 720 + q * (1.0 / 40320 +
                               q * (-1.0 / 3628800 + q * (1.0 / 479001600.0 + q * (-1.0 / 87178291200.0)))))));
         const double half_root = 0.70710678118654752;

@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "base/random.hpp"
+#include "coupling/stencil.hpp"
+#include "membrane/shapes.hpp"
+
+using namespace tt;
+
+namespace {
+
+constexpr Lattice channel{48, 24, true};
+
+/// Nodes strewn over the channel, as near to the walls as a tenth of a site, with random forces.
+Suspension strewn(std::uint64_t seed, double margin = 0.1) {
+    Suspension cells;
+    add_cell(cells, placed(circle(5.0, 60), 0.0, {24.0, 12.0}));
+    Random random(seed);
+    for (int n = 0; n < cells.node_count(); ++n) {
+        cells.x[n] = random.uniform(2.0, channel.nx - 2.0);
+        cells.y[n] = random.uniform(margin, channel.ny - margin);
+        cells.fx[n] = random.uniform(-1.0, 1.0);
+        cells.fy[n] = random.uniform(-1.0, 1.0);
+    }
+    return cells;
+}
+
+struct Kernel {
+    Delta delta;
+    bool first_moment_vanishes;
+    const char* name;
+};
+
+class EveryKernel : public testing::TestWithParam<Kernel> {};
+
+TEST_P(EveryKernel, force_on_sites_equals_force_on_nodes_up_to_the_wall) {
+    const Suspension cells = strewn(1);
+    Stencils stencils(cells.node_count());
+    VectorField force(channel);
+    locate(GetParam().delta, channel, cells, stencils);
+    spread(stencils, cells, force);
+    Vec2 on_nodes, on_sites;
+    double torque_on_nodes = 0.0, torque_on_sites = 0.0;
+    for (int n = 0; n < cells.node_count(); ++n) {
+        on_nodes += cells.force(n);
+        torque_on_nodes += cross(cells.position(n), cells.force(n));
+    }
+    for (int j = 0; j < channel.ny; ++j) {
+        for (int i = -2; i < channel.nx + 2; ++i) {
+            on_sites += force(i, j);
+            torque_on_sites += cross(Lattice::position(i, j), force(i, j));
+        }
+    }
+    EXPECT_NEAR(on_sites.x, on_nodes.x, 1e-12);
+    EXPECT_NEAR(on_sites.y, on_nodes.y, 1e-12);
+    // The paper's cosine misses the first moment by up to 0.021 sites in each direction.
+    const double tolerance = GetParam().first_moment_vanishes ? 1e-11 : 0.021 * 2.0 * cells.node_count();
+    EXPECT_NEAR(torque_on_sites, torque_on_nodes, tolerance);
+}
+
+TEST_P(EveryKernel, spread_and_interpolate_are_adjoint) {
+    // Σ_nodes F·U(u) = Σ_sites f(F)·u for every force and velocity: the power put in is the power taken out.
+    Suspension cells = strewn(2);
+    Stencils stencils(cells.node_count());
+    VectorField force(channel), velocity(channel);
+    Random random(3);
+    for (int j = 0; j < channel.ny; ++j) {
+        for (int i = -2; i < channel.nx + 2; ++i) {
+            velocity.x(i, j) = random.uniform(-1.0, 1.0);
+            velocity.y(i, j) = random.uniform(-1.0, 1.0);
+        }
+    }
+    locate(GetParam().delta, channel, cells, stencils);
+    spread(stencils, cells, force);
+    interpolate(stencils, velocity, cells);
+    double power_of_nodes = 0.0, power_of_sites = 0.0;
+    for (int n = 0; n < cells.node_count(); ++n) power_of_nodes += dot(cells.force(n), cells.velocity(n));
+    for (int j = 0; j < channel.ny; ++j) {
+        for (int i = -2; i < channel.nx + 2; ++i) power_of_sites += dot(force(i, j), velocity(i, j));
+    }
+    EXPECT_NEAR(power_of_nodes, power_of_sites, 1e-12);
+}
+
+TEST_P(EveryKernel, linear_velocity_is_interpolated_exactly_up_to_the_wall) {
+    if (!GetParam().first_moment_vanishes) return;
+    Suspension cells = strewn(4, 0.05);
+    Stencils stencils(cells.node_count());
+    VectorField velocity(channel);
+    for (int j = -2; j < channel.ny + 2; ++j) {
+        for (int i = -2; i < channel.nx + 2; ++i) {
+            velocity.x(i, j) = 0.3 + 0.02 * (j + 0.5);
+            velocity.y(i, j) = -0.1 + 0.01 * (i + 0.5);
+        }
+    }
+    locate(GetParam().delta, channel, cells, stencils);
+    interpolate(stencils, velocity, cells);
+    for (int n = 0; n < cells.node_count(); ++n) {
+        EXPECT_NEAR(cells.ux[n], 0.3 + 0.02 * cells.y[n], 1e-12);
+        EXPECT_NEAR(cells.uy[n], -0.1 + 0.01 * cells.x[n], 1e-12);
+    }
+}
+
+TEST_P(EveryKernel, gives_the_same_bits_for_any_number_of_threads) {
+    Suspension cells = strewn(6);
+    Stencils stencils(cells.node_count());
+    VectorField one(channel);
+    locate(GetParam().delta, channel, cells, stencils);
+    spread(stencils, cells, one);
+    for (int threads : {2, 3, 7}) {
+        VectorField many(channel);
+        Stencils shared(cells.node_count());
+        with_team(threads, [&] {
+            locate(GetParam().delta, channel, cells, shared);
+            spread(shared, cells, many);
+        });
+        for (std::size_t k = 0; k < one.x.size(); ++k) {
+            ASSERT_EQ(one.x.data()[k], many.x.data()[k]);
+            ASSERT_EQ(one.y.data()[k], many.y.data()[k]);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Delta, EveryKernel,
+                         testing::Values(Kernel{Cosine4{}, false, "cosine4"}, Kernel{Hat2{}, true, "hat2"},
+                                         Kernel{Roma3{}, true, "roma3"}, Kernel{Peskin4{}, true, "peskin4"}),
+                         [](const auto& kernel) { return kernel.param.name; });
+
+TEST(Cosine4, has_the_weights_of_its_formula) {
+    for (double s = 0.0; s < 1.0; s += 0.01) {
+        double w[4];
+        Cosine4::weights(s, w);
+        for (int k = 0; k < 4; ++k) EXPECT_NEAR(w[k], 0.25 * (1.0 + std::cos(0.5 * M_PI * (k - 1 - s))), 1e-15);
+    }
+}
+
+TEST(Unspread, leaves_no_force_behind_across_periodic_ends) {
+    for (const Lattice& box : {Lattice{20, 14, true}, Lattice{20, 14, false}}) {
+        Suspension cells;
+        add_cell(cells, placed(circle(4.0, 40), 0.0, {box.walls ? 41.0 : -19.5, box.walls ? 6.0 : 13.0}));
+        for (int n = 0; n < cells.node_count(); ++n) cells.fx[n] = cells.fy[n] = 1.0;
+        Stencils stencils(cells.node_count());
+        VectorField force(box);
+        locate(Peskin4{}, box, cells, stencils);
+        spread(stencils, cells, force);
+        // What Exchange::fold does with the halo.
+        for (int j = -2; j < box.ny + 2; ++j) {
+            for (int i = -2; i < box.nx + 2; ++i) {
+                const int wi = (i + box.nx) % box.nx, wj = box.walls ? j : (j + box.ny) % box.ny;
+                if (wi == i && wj == j) continue;
+                for (Field* f : {&force.x, &force.y}) {
+                    (*f)(wi, wj) += (*f)(i, j);
+                    (*f)(i, j) = 0.0;
+                }
+            }
+        }
+        with_team(2, [&] { unspread(stencils, force); });
+        for (std::size_t k = 0; k < force.x.size(); ++k) {
+            ASSERT_EQ(force.x.data()[k], 0.0);
+            ASSERT_EQ(force.y.data()[k], 0.0);
+        }
+    }
+}
+
+}  // namespace
