@@ -22,7 +22,8 @@ inline constexpr Range positive{0.0, std::numeric_limits<double>::infinity(), tr
 inline constexpr Range not_negative{0.0, std::numeric_limits<double>::infinity(), false, false};
 
 /// One field of a struct: its key in files, its member, its meaning in one line, its admissible values. `choices`
-/// lists the words of a string field, separated by '|'. The dimension of a Quantity member is in its type.
+/// lists the words of a string field, separated by '|'. The dimension of a Quantity member is in its type; `example`
+/// is a value as the user would write it ("80 um"), whose unit is the customary one of this field.
 template <class S, class T>
 struct FieldEntry {
     std::string_view key;
@@ -30,6 +31,7 @@ struct FieldEntry {
     std::string_view meaning;
     Range range = any_value;
     std::string_view choices = {};
+    std::string_view example = {};
 };
 template <class S, class T>
 FieldEntry(std::string_view, T S::*, std::string_view) -> FieldEntry<S, T>;
@@ -37,6 +39,8 @@ template <class S, class T>
 FieldEntry(std::string_view, T S::*, std::string_view, Range) -> FieldEntry<S, T>;
 template <class S, class T>
 FieldEntry(std::string_view, T S::*, std::string_view, Range, std::string_view) -> FieldEntry<S, T>;
+template <class S, class T>
+FieldEntry(std::string_view, T S::*, std::string_view, Range, std::string_view, std::string_view) -> FieldEntry<S, T>;
 
 /// Specialise with `static constexpr auto entries = std::tuple{FieldEntry{…}, …};`. The one list from which reading,
 /// range faults, units, reference pages, echoes and table headers are made.

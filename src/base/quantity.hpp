@@ -4,11 +4,12 @@
 
 namespace tt {
 
-/// Exponents of kilogram, metre and second.
+/// Exponents of kilogram, metre and second. An angle has its own, so that "30 %" is no angle.
 struct Dimension {
     int kg = 0;
     int m = 0;
     int s = 0;
+    int rad = 0;
     friend constexpr bool operator==(Dimension, Dimension) = default;
 };
 
@@ -22,6 +23,7 @@ struct Quantity {
 };
 
 using Length = Quantity<Dimension{0, 1, 0}>;
+using Angle = Quantity<Dimension{0, 0, 0, 1}>;
 using Area = Quantity<Dimension{0, 2, 0}>;
 using Time = Quantity<Dimension{0, 0, 1}>;
 using Rate = Quantity<Dimension{0, 0, -1}>;

@@ -16,6 +16,8 @@ struct DomainCase {
     Length length;  ///< along the flow, periodic
     Length width;   ///< between the walls
     std::string sides = "walls";  ///< walls | periodic
+
+    friend bool operator==(const DomainCase&, const DomainCase&) = default;
 };
 
 struct FlowCase {
@@ -25,17 +27,23 @@ struct FlowCase {
     std::string hold = "pressure-drop";   ///< pressure-drop | mean-velocity
     std::optional<Rate> shear_rate;       ///< drive = shear: walls move with ± shear_rate · width / 2
     std::optional<double> shear_number;   ///< G = μ k a / E_s (Eq. 19), instead of shear_rate
+
+    friend bool operator==(const FlowCase&, const FlowCase&) = default;
 };
 
 struct PlasmaCase {
     Viscosity viscosity{1.2e-3};
     Density density{1025.0};
+
+    friend bool operator==(const PlasmaCase&, const PlasmaCase&) = default;
 };
 
 /// A second fluid without a membrane: 0 ≤ y < thickness. For the two-layer tests.
 struct LayerCase {
     std::optional<Length> thickness;
     std::optional<Viscosity> viscosity;
+
+    friend bool operator==(const LayerCase&, const LayerCase&) = default;
 };
 
 struct CellsCase {
@@ -46,12 +54,14 @@ struct CellsCase {
     std::optional<double> aspect_ratio;   ///< ellipse: major / minor semi-axis at the area of the circle
     std::optional<std::string> file;      ///< x,y in µm, one node a line, counter-clockwise
     std::string layout = "single";        ///< single | paper | random | explicit
-    std::vector<std::vector<double>> positions;   ///< layout = explicit: [x, y] in µm
-    double angle = 0.0;                   ///< initial rotation [deg], counter-clockwise
+    std::vector<std::vector<Length>> positions;   ///< layout = explicit: [x, y]
+    Angle angle;                          ///< initial rotation, counter-clockwise
     std::optional<double> initial_stretch;    ///< start as an ellipse of this axis ratio, stress-free shape unchanged
     Length perturbation{0.5e-6};          ///< paper: largest random shift of each cell in x and y
     std::int64_t seed = 1;
     Viscosity cytoplasm_viscosity{6e-3};
+
+    friend bool operator==(const CellsCase&, const CellsCase&) = default;
 };
 
 struct HardeningCase {
@@ -60,6 +70,8 @@ struct HardeningCase {
     std::string compression = "symmetric";   ///< symmetric | one | as-printed, for stretch < 1
     double D = 0.55;
     double beta = 16.0;
+
+    friend bool operator==(const HardeningCase&, const HardeningCase&) = default;
 };
 
 struct MembraneCase {
@@ -70,6 +82,8 @@ struct MembraneCase {
     std::string bending = "current";      ///< curvature per current | reference length
     std::optional<Pressure> area_stiffness;   ///< k_p
     HardeningCase hardening;
+
+    friend bool operator==(const MembraneCase&, const MembraneCase&) = default;
 };
 
 struct ContactCase {
@@ -82,6 +96,8 @@ struct ContactCase {
     bool short_range_repulsion = false;   ///< off by default; counted when on
     std::optional<Length> repulsion_range;    ///< auto: one site
     Pressure repulsion_strength{1e3};
+
+    friend bool operator==(const ContactCase&, const ContactCase&) = default;
 };
 
 struct NumericsCase {
@@ -98,18 +114,24 @@ struct NumericsCase {
     std::string interface_viscosity = "smoothed";    ///< sharp | smoothed | …
     double smoothing_width = 2.0;         ///< half width in sites
     bool fluid_only = false;              ///< cells absent: plain channel
+
+    friend bool operator==(const NumericsCase&, const NumericsCase&) = default;
 };
 
 struct TimeCase {
-    Time end{1e-2};
+    Time end;
     std::optional<Time> average_from;     ///< start of the averaging window; auto: half of the run
+
+    friend bool operator==(const TimeCase&, const TimeCase&) = default;
 };
 
 struct OutputCase {
     std::optional<Time> series;           ///< auto: end / 500
     std::optional<Time> frames;           ///< auto: end / 50
     Time checkpoint{300.0};               ///< wall clock
-    std::vector<double> figure_times;     ///< ms; empty: start, a quarter, half, end
+    std::vector<Time> figure_times;       ///< empty: start, a quarter, half, end
+
+    friend bool operator==(const OutputCase&, const OutputCase&) = default;
 };
 
 struct Case {
@@ -125,6 +147,8 @@ struct Case {
     NumericsCase numerics;
     TimeCase time;
     OutputCase output;
+
+    friend bool operator==(const Case&, const Case&) = default;
 };
 
 }  // namespace tt

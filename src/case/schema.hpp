@@ -1,0 +1,227 @@
+#pragma once
+
+#include "base/field_list.hpp"
+#include "case/case.hpp"
+
+namespace tt {
+
+// One list per table of the case file. From these lists alone come parsing, range faults, faults of unknown keys, unit
+// conversion, the reference of keys (docs/keys.md) and the echo in resolved.toml. A field whose default lies outside
+// its own range must be given by the user.
+
+inline constexpr Range box_size{1e-7, 1e-1};
+inline constexpr Range fluid_viscosity{1e-6, 1e3};
+
+template <>
+struct FieldList<DomainCase> {
+    using T = DomainCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"length", &T::length, "along the flow; what leaves at one end re-enters at the other", box_size, {},
+                   "80 um"},
+        FieldEntry{"width", &T::width, "from wall to wall, across the flow", box_size, {}, "20 um"},
+        FieldEntry{"sides", &T::sides, "what bounds the box across the flow", any_value, "walls|periodic"},
+    };
+};
+
+template <>
+struct FieldList<FlowCase> {
+    using T = FlowCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"drive", &T::drive,
+                   "what drives the flow: a pressure drop along it, a body force, walls that move, or nothing", any_value,
+                   "none|pressure|body-force|shear"},
+        FieldEntry{"pseudo_shear_rate", &T::pseudo_shear_rate, "mean velocity / width, for pressure and body-force",
+                   positive, {}, "500 /s"},
+        FieldEntry{"pressure_gradient", &T::pressure_gradient,
+                   "pressure drop per length, instead of pseudo_shear_rate", positive, {}, "360 kPa/m"},
+        FieldEntry{"hold", &T::hold,
+                   "what stays constant: the pressure drop that gives plasma alone this pseudo_shear_rate "
+                   "(12 mu U / H^2), or the mean velocity itself, by a controller",
+                   any_value, "pressure-drop|mean-velocity"},
+        FieldEntry{"shear_rate", &T::shear_rate, "k, for shear: the walls move with +- k * width / 2", positive, {},
+                   "75 /s"},
+        FieldEntry{"shear_number", &T::shear_number, "G = mu k a / E_s (Eq. 19), instead of shear_rate", positive, {},
+                   "0.2"},
+    };
+};
+
+template <>
+struct FieldList<PlasmaCase> {
+    using T = PlasmaCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"viscosity", &T::viscosity, "dynamic viscosity of the plasma", fluid_viscosity, {}, "1.2 cP"},
+        FieldEntry{"density", &T::density, "density of plasma and cytoplasm", Range{1.0, 1e5}, {}, "1025 kg/m^3"},
+    };
+};
+
+template <>
+struct FieldList<LayerCase> {
+    using T = LayerCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"thickness", &T::thickness, "from the bottom wall up", positive, {}, "5 um"},
+        FieldEntry{"viscosity", &T::viscosity, "its dynamic viscosity", fluid_viscosity, {}, "6 cP"},
+    };
+};
+
+template <>
+struct FieldList<CellsCase> {
+    using T = CellsCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"count", &T::count, "how many", Range{1.0, 1e6}, {}, "12"},
+        FieldEntry{"hematocrit", &T::hematocrit, "area of the cells / area of the box, instead of count",
+                   Range{0.0, 0.9, true, false}, {}, "38 %"},
+        FieldEntry{"shape", &T::shape, "stress-free shape", any_value, "circle|ellipse|biconcave|file"},
+        FieldEntry{"radius", &T::radius, "of the circle, of the circle of the same area, or R0 of the biconcave disk",
+                   Range{1e-7, 1e-3}, {}, "4 um"},
+        FieldEntry{"aspect_ratio", &T::aspect_ratio, "of shape ellipse: long / short axis", Range{1.0, 20.0}, {}, "1.5"},
+        FieldEntry{"file", &T::file,
+                   "of shape file: x,y in um, one node a line, counter-clockwise; relative to the case file", any_value,
+                   {}, "outline.csv"},
+        FieldEntry{"layout", &T::layout,
+                   "where they start: one in the middle, two rows as in the paper, at random, or at positions", any_value,
+                   "single|paper|random|explicit"},
+        FieldEntry{"positions", &T::positions, "of layout explicit: the centre of each cell", any_value, {},
+                   "[[\"20 um\", \"10 um\"], [\"60 um\", \"10 um\"]]"},
+        FieldEntry{"angle", &T::angle, "by which each is turned at the start, counter-clockwise", any_value, {},
+                   "30 deg"},
+        FieldEntry{"initial_stretch", &T::initial_stretch,
+                   "start as an ellipse of this axis ratio; the stress-free shape stays", Range{1.0, 5.0}, {}, "1.5"},
+        FieldEntry{"perturbation", &T::perturbation,
+                   "of layout paper: largest random shift in x and y, which breaks the symmetry of the two rows",
+                   not_negative, {}, "0.5 um"},
+        FieldEntry{"seed", &T::seed, "of the random numbers", Range{0.0, 9e15}, {}, "1"},
+        FieldEntry{"cytoplasm_viscosity", &T::cytoplasm_viscosity, "dynamic viscosity inside", fluid_viscosity, {},
+                   "6 cP"},
+    };
+};
+
+template <>
+struct FieldList<HardeningCase> {
+    using T = HardeningCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"apply_to", &T::apply_to,
+                   "which moduli it scales (Table 1 of the paper): [] is Case I, [\"shear\"] Case II, all four Case III",
+                   any_value, "shear|bending|area|contact", "[\"shear\"]"},
+        FieldEntry{"form", &T::form,
+                   "of alpha(stretch), the two repairs of Eq. 12: 1 + D (e^(beta (stretch - 1)) - 1), or "
+                   "1 + D (e^(stretch^beta) - e)",
+                   any_value, "exponential|power-exponential"},
+        FieldEntry{"compression", &T::compression, "alpha for stretch < 1: alpha(2 - stretch), 1, or Eq. 12 as printed",
+                   any_value, "symmetric|one|as-printed"},
+        FieldEntry{"D", &T::D, "how much it hardens", Range{0.0, 1e3}, {}, "0.55"},
+        FieldEntry{"beta", &T::beta, "how steeply", Range{0.0, 200.0, true, false}, {}, "16"},
+    };
+};
+
+template <>
+struct FieldList<MembraneCase> {
+    using T = MembraneCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"law", &T::law, "tension as a function of stretch (Eqs. 10, 11)", any_value,
+                   "neo-hookean|hookean|skalak"},
+        FieldEntry{"shear_modulus", &T::shear_modulus, "E_s", positive, {}, "6e-3 dyn/cm"},
+        FieldEntry{"area_dilation_ratio", &T::area_dilation_ratio, "C of the Skalak law", not_negative, {}, "1"},
+        FieldEntry{"bending_modulus", &T::bending_modulus, "E_b (Eq. 13)", not_negative, {}, "1.8e-12 dyn cm"},
+        FieldEntry{"bending", &T::bending, "curvature per current or per reference length", any_value,
+                   "current|reference"},
+        FieldEntry{"area_stiffness", &T::area_stiffness,
+                   "k_p (Eq. 14): pressure per relative change of area; it only fights leakage", not_negative, {},
+                   "2 kPa"},
+        FieldEntry{"hardening", &T::hardening, "strain hardening, the 2D-LD model of the paper (Eq. 12)"},
+    };
+};
+
+template <>
+struct FieldList<ContactCase> {
+    using T = ContactCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"model", &T::model, "force between two cells (Eqs. 16, 17)", any_value, "none|morse"},
+        FieldEntry{"nearest", &T::nearest, "distance to the nearest node or to the nearest point of a segment", any_value,
+                   "node|segment"},
+        FieldEntry{"zero_force_distance", &T::zero_force_distance, "r0: attraction beyond, repulsion below",
+                   Range{1e-9, 1e-4}, {}, "0.49 um"},
+        FieldEntry{"decay", &T::decay, "beta of Eq. 16", positive, {}, "3.84 /um"},
+        FieldEntry{"energy", &T::energy, "D_e: energy per area of the bond", not_negative, {}, "1.3e-7 J/m^2"},
+        FieldEntry{"range", &T::range, "beyond which no force is looked for; auto: 1 % of the largest attraction",
+                   positive, {}, "2.5 um"},
+        FieldEntry{"short_range_repulsion", &T::short_range_repulsion,
+                   "an extra repulsion of very small gaps; every time it acts is counted"},
+        FieldEntry{"repulsion_range", &T::repulsion_range, "of it; auto: one site", positive, {}, "0.2 um"},
+        FieldEntry{"repulsion_strength", &T::repulsion_strength, "of it: the pressure at zero gap", not_negative, {},
+                   "1 kPa"},
+    };
+};
+
+template <>
+struct FieldList<NumericsCase> {
+    using T = NumericsCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"dx", &T::dx, "site spacing", Range{1e-9, 1e-3}, {}, "0.2 um"},
+        FieldEntry{"dt", &T::dt, "time step", positive, {}, "1 us"},
+        FieldEntry{"relaxation_time", &T::relaxation_time, "tau of the plasma, in steps", Range{0.5, 20.0, true, false},
+                   {}, "1.1"},
+        FieldEntry{"density_scale", &T::density_scale,
+                   "S: the run has S times the density, hence S times the Reynolds number, and larger time steps",
+                   Range{1.0, 1e4}, {}, "20"},
+        FieldEntry{"node_spacing", &T::node_spacing, "of the membrane, in sites", Range{0.2, 2.0}, {}, "0.8"},
+        FieldEntry{"collision", &T::collision, "two relaxation times, or the one of Eq. 1", any_value, "trt|bgk"},
+        FieldEntry{"magic", &T::magic, "Lambda of TRT; 3/16 puts walls exactly half-way", Range{1e-3, 10.0}, {},
+                   "0.1875"},
+        FieldEntry{"equilibrium", &T::equilibrium, "linear is Stokes flow; incompressible and full (Eq. 2) keep inertia",
+                   any_value, "linear|incompressible|full"},
+        FieldEntry{"delta", &T::delta, "kernel between sites and nodes (Eq. 8 is cosine4)", any_value,
+                   "cosine4|hat2|roma3|peskin4"},
+        FieldEntry{"interior", &T::interior, "how the sites inside a cell are found", any_value, "scan-line|flood-fill"},
+        FieldEntry{"interface_viscosity", &T::interface_viscosity, "how viscosity changes across the membrane", any_value,
+                   "sharp|smoothed"},
+        FieldEntry{"smoothing_width", &T::smoothing_width, "half width of that change, in sites", Range{0.5, 5.0}, {},
+                   "2"},
+        FieldEntry{"fluid_only", &T::fluid_only, "leave the cells out: the plain channel"},
+    };
+};
+
+template <>
+struct FieldList<TimeCase> {
+    using T = TimeCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"end", &T::end, "simulated time", Range{0.0, 1e6, true, false}, {}, "80 ms"},
+        FieldEntry{"average_from", &T::average_from, "start of the averages in summary.json; auto: half of the run",
+                   not_negative, {}, "40 ms"},
+    };
+};
+
+template <>
+struct FieldList<OutputCase> {
+    using T = OutputCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"series", &T::series, "between two rows of series.csv and cells.csv; auto: end / 500", positive, {},
+                   "0.1 ms"},
+        FieldEntry{"frames", &T::frames, "between two frames of frames.h5; auto: end / 50", positive, {}, "1 ms"},
+        FieldEntry{"checkpoint", &T::checkpoint, "between two checkpoints, in time on the clock on the wall",
+                   Range{1.0, 1e7}, {}, "5 min"},
+        FieldEntry{"figure_times", &T::figure_times, "of the figures of cells; none given: start, quarter, half, end",
+                   not_negative, {}, "[\"0 ms\", \"40 ms\", \"80 ms\"]"},
+    };
+};
+
+template <>
+struct FieldList<Case> {
+    using T = Case;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"format", &T::format, "of this file", Range{1.0, 1.0}, {}, "1"},
+        FieldEntry{"name", &T::name, "of the run and of its directory in results/; else that of the file", any_value, {},
+                   "channel-500-LD"},
+        FieldEntry{"domain", &T::domain, "the box"},
+        FieldEntry{"flow", &T::flow, "what drives the flow"},
+        FieldEntry{"plasma", &T::plasma, "the fluid around the cells"},
+        FieldEntry{"layer", &T::layer, "a second fluid along the bottom wall, without a membrane, for tests"},
+        FieldEntry{"cells", &T::cells, "the red blood cells"},
+        FieldEntry{"membrane", &T::membrane, "their membrane"},
+        FieldEntry{"contact", &T::contact, "forces between cells"},
+        FieldEntry{"numerics", &T::numerics, "how it is computed; all of it may be left out"},
+        FieldEntry{"time", &T::time, "how long"},
+        FieldEntry{"output", &T::output, "what is written, and how often"},
+    };
+};
+
+}  // namespace tt
