@@ -305,8 +305,7 @@ std::string shifted_text(double number, int shift) {
     const long point = d.exponent - shift + count;   // digits before the decimal point
     const std::string sign = d.negative ? "-" : "";
     if (point > 7 || point < -3) {
-        const std::string tail = count > 1 ? "." + d.digits.substr(1) : "";
-        return fmt::format("{}{}{}e{}", sign, d.digits[0], tail, point - 1);
+        return fmt::format("{}{}{}{}e{}", sign, d.digits[0], count > 1 ? "." : "", d.digits.substr(1), point - 1);
     }
     if (point <= 0) return sign + "0." + std::string(static_cast<std::size_t>(-point), '0') + d.digits;
     if (point >= count) return sign + d.digits + std::string(static_cast<std::size_t>(point - count), '0');
