@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/parallel.hpp"
 #include "fluid/populations.hpp"
 #include "grid/field.hpp"
 
@@ -7,13 +8,29 @@ namespace tt {
 
 /// Brings halos in line with the sites they stand for. `fill` copies sites into halos, `fold` returns to the sites what
 /// a pass left in the halos. The one place that knows about periodicity, and later about ranks. Team functions.
+///
+/// Populations use a halo one site deep, vector fields all of Lattice::halo. Beyond a wall there is nothing to stand
+/// for: `fill` leaves those rows alone (they stay zero), `fold` clears what a kernel spread there.
 class Exchange {
 public:
     virtual ~Exchange() = default;
-    virtual void fill(Populations& populations) = 0;   ///< phase odd, before the pass
-    virtual void fold(Populations& populations) = 0;   ///< phase odd, after the pass: moves
-    virtual void fill(VectorField& field) = 0;         ///< copies
-    virtual void fold(VectorField& field) = 0;         ///< adds to the sites and clears the halo
+    virtual void fill(Populations& populations) = 0;  ///< copies what the coming odd pass reads
+    virtual void fold(Populations& populations) = 0;  ///< moves what the odd pass left
+    virtual void fill(VectorField& field) = 0;        ///< copies
+    virtual void fold(VectorField& field) = 0;        ///< adds to the sites and clears the halo
 };
+
+/// Ends a pass of `collide_and_stream`: halo in line, phase flipped, so that between steps every population can be
+/// read and the next pass can start. Team function.
+inline void settle(Exchange& exchange, Populations& populations) {
+    using Phase = Populations::Phase;
+    const Phase done = populations.phase;
+    if (done == Phase::even) {
+        exchange.fill(populations);
+    } else {
+        exchange.fold(populations);
+    }
+    on_one_thread([&] { populations.phase = done == Phase::even ? Phase::odd : Phase::even; });
+}
 
 }  // namespace tt

@@ -7,21 +7,6 @@
 namespace tt {
 namespace {
 
-/// The fluid's part of a step: halos hold what arrives through ends and walls, and return what leaves through them.
-void flow(const Model& m, State& s, Exchange& x) {
-    if (s.populations.phase == Populations::Phase::odd) {
-        x.fill(s.populations);
-        fill_pressure_ends(m.boundaries, s.populations);
-        fill_walls(m.boundaries, s.populations);
-    }
-    collide_and_stream(m.equilibrium, {s.drive.body_force, 0.0}, s.force, s.relaxation, s.populations, s.velocity);
-    if (s.populations.phase == Populations::Phase::odd) {
-        fold_walls(m.boundaries, s.populations);
-        fold_pressure_ends(m.boundaries, s.populations);
-        x.fold(s.populations);
-    }
-}
-
 /// Forward Euler with the interpolated velocity.
 void move_nodes(Suspension& cells) {
     const auto [begin, end] = team_share(cells.node_count());
@@ -34,8 +19,6 @@ void move_nodes(Suspension& cells) {
 
 void finish_step(const Model& m, State& s) {
     on_one_thread([&] {
-        using Phase = Populations::Phase;
-        s.populations.phase = s.populations.phase == Phase::even ? Phase::odd : Phase::even;
         hold_flow(m, s);
         ++s.step;
     });
@@ -51,7 +34,9 @@ void advance(const Model& m, State& s, Exchange& x) {
     spread(s.stencils, s.cells, s.force);                                              // Eq. 9
     x.fold(s.force);
     update_viscosity(m.viscosity, s.cells, s.interior, s.relaxation);
-    flow(m, s, x);                                                                     // Eqs. 1–4
+    collide_and_stream(m.equilibrium, m.boundaries, {s.drive.body_force, 0.0}, s.force, s.relaxation, s.populations,
+                       s.velocity);                                                    // Eqs. 1–4
+    settle(x, s.populations);
     x.fill(s.velocity);
     interpolate(s.stencils, s.velocity, s.cells);                                      // Eq. 7
     move_nodes(s.cells);

@@ -1,0 +1,130 @@
+#include "exchange/periodic.hpp"
+
+#include <algorithm>
+
+namespace tt {
+namespace {
+
+/// n modulo count, in 0 … count − 1.
+int wrapped(int n, int count) { return ((n % count) + count) % count; }
+
+/// Calls f(i, x, y, home_x, home_y, length) for each run of halo sites of slot i that an odd pass uses: the neighbours
+/// along c_i, outside the box, of sites in it, and the sites they stand for. Each thread its share.
+template <class F>
+void for_each_halo_run(const Lattice& lattice, F&& f) {
+    const auto [begin, end] = team_share(lattice.ny);
+    for (int i = 1; i < d2q9::count; ++i) {
+        if (d2q9::cx[i] == 0) continue;
+        const int x = d2q9::cx[i] > 0 ? lattice.nx : -1;
+        for (int y = begin + d2q9::cy[i]; y < end + d2q9::cy[i]; ++y) {
+            if (lattice.walls && (y < 0 || y >= lattice.ny)) continue;
+            f(i, x, y, wrapped(x, lattice.nx), wrapped(y, lattice.ny), 1);
+        }
+    }
+    if (lattice.walls || team_rank() != 0) return;
+    for (int i = 1; i < d2q9::count; ++i) {
+        if (d2q9::cy[i] == 0) continue;
+        const int y = d2q9::cy[i] > 0 ? lattice.ny : -1;
+        const int x = std::max(0, d2q9::cx[i]);
+        const int length = lattice.nx - std::abs(d2q9::cx[i]);
+        f(i, x, y, x, wrapped(y, lattice.ny), length);
+    }
+}
+
+/// Rows −halo … ny + halo − 1 of this thread's share.
+template <class F>
+void for_each_row_with_halo(const Lattice& lattice, F&& f) {
+    const auto [begin, end] = team_share(lattice.rows());
+    for (int j = begin - Lattice::halo; j < end - Lattice::halo; ++j) f(j);
+}
+
+bool outside(const Lattice& lattice, int j) { return j < 0 || j >= lattice.ny; }
+
+void fill_row(Field& field, int j) {
+    const Lattice& lattice = field.lattice();
+    const double* const sites = field.row(wrapped(j, lattice.ny));
+    double* const row = field.row(j);
+    if (outside(lattice, j)) std::copy(sites, sites + lattice.nx, row);
+    for (int x = 1; x <= Lattice::halo; ++x) {
+        row[-x] = sites[wrapped(-x, lattice.nx)];
+        row[lattice.nx - 1 + x] = sites[wrapped(x - 1, lattice.nx)];
+    }
+}
+
+/// Adds the ends of row j to the sites of row j and clears them.
+void fold_ends(Field& field, int j) {
+    const Lattice& lattice = field.lattice();
+    double* const row = field.row(j);
+    for (int x = 1; x <= Lattice::halo; ++x) {
+        row[wrapped(-x, lattice.nx)] += row[-x];
+        row[wrapped(x - 1, lattice.nx)] += row[lattice.nx - 1 + x];
+        row[-x] = 0.0;
+        row[lattice.nx - 1 + x] = 0.0;
+    }
+}
+
+void clear_row(Field& field, int j) {
+    double* const row = field.row(j);
+    std::fill(row - Lattice::halo, row + field.lattice().nx + Lattice::halo, 0.0);
+}
+
+/// Adds the rows outside to the rows they stand for and clears them; this thread's share of columns.
+void fold_rows(Field& field) {
+    const Lattice& lattice = field.lattice();
+    const auto [begin, end] = team_share(lattice.nx);
+    for (int j = -Lattice::halo; j < lattice.ny + Lattice::halo; ++j) {
+        if (!outside(lattice, j)) continue;
+        double* const from = field.row(j);
+        double* const to = field.row(wrapped(j, lattice.ny));
+        for (int x = begin; x < end; ++x) {
+            to[x] += from[x];
+            from[x] = 0.0;
+        }
+    }
+}
+
+}  // namespace
+
+void Periodic::fill(Populations& populations) {
+    for_each_halo_run(populations.lattice(), [&](int i, int x, int y, int home_x, int home_y, int length) {
+        std::copy_n(populations.row(i, home_y) + home_x, length, populations.row(i, y) + x);
+    });
+    team_barrier();
+}
+
+void Periodic::fold(Populations& populations) {
+    for_each_halo_run(populations.lattice(), [&](int i, int x, int y, int home_x, int home_y, int length) {
+        std::copy_n(populations.row(i, y) + x, length, populations.row(i, home_y) + home_x);
+    });
+    team_barrier();
+}
+
+void Periodic::fill(VectorField& field) {
+    const Lattice& lattice = field.x.lattice();
+    for_each_row_with_halo(lattice, [&](int j) {
+        if (lattice.walls && outside(lattice, j)) return;
+        fill_row(field.x, j);
+        fill_row(field.y, j);
+    });
+    team_barrier();
+}
+
+void Periodic::fold(VectorField& field) {
+    const Lattice& lattice = field.x.lattice();
+    for_each_row_with_halo(lattice, [&](int j) {
+        for (Field* component : {&field.x, &field.y}) {
+            if (lattice.walls && outside(lattice, j)) {
+                clear_row(*component, j);
+            } else {
+                fold_ends(*component, j);
+            }
+        }
+    });
+    team_barrier();
+    if (lattice.walls) return;
+    fold_rows(field.x);
+    fold_rows(field.y);
+    team_barrier();
+}
+
+}  // namespace tt

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <type_traits>
+
+#include "base/isa.hpp"
+#include "base/vec2.hpp"
+#include "fluid/equilibrium.hpp"
+#include "grid/d2q9.hpp"
+
+namespace tt {
+
+/// One row of sites as the collision sees it: pointers to the first of `count` sites.
+struct RowOfSites {
+    int count;
+    std::array<double*, d2q9::count> at;  ///< Populations::arrivals: i arrives there, opposite(i) departs there
+    const double* force_x;
+    const double* force_y;
+    Vec2 body_force;
+    const double* even;  ///< ω⁺
+    const double* odd;   ///< ω⁻
+    double* velocity_x;
+    double* velocity_y;
+};
+
+/// Collides one row in place.
+///
+/// Two relaxation times work on pairs of opposite populations: with s = f_i + f_ī and d = f_i − f_ī,
+///
+///     g_i, g_ī = ½(s′ ± d′),   s′ = s − ω⁺ (s − s^eq) + (1 − ω⁺/2) s^B,   d′ = d − ω⁻ (d − d^eq) + (1 − ω⁻/2) d^B,
+///
+/// s^B, d^B being the parts of Guo's forcing. With momentum m = Σ f c + ½F all equilibria share d^eq = 6 w_i c_i·m and
+/// d^B = 6 w_i c_i·F, so that ½F drops out of the odd part:
+///
+///     ½d′ = ½(1 − ω⁻) d + 3 w_i c_i·(ω⁻ Σ f c + F).
+///
+/// Even part: ½s′ = ½(1 − ω⁺) s + w_i e_i with e_i = ω⁺ δρ in the linear equilibrium; the others add, with
+/// v = ω⁺ m + (2 − ω⁺) F, which joins the quadratic terms of f^eq and of the forcing,
+///
+///     e_i = ω⁺ δρ + 9/2 (c_i·u)(c_i·v) − 3/2 u·v.
+///
+/// The populations departing stand where those arriving stood: g_i in the place of f_ī.
+template <class AnEquilibrium>
+TT_INLINE void collide_row_with(const RowOfSites& row) {
+    constexpr bool linear = std::is_same_v<AnEquilibrium, LinearEquilibrium>;
+    constexpr bool full = std::is_same_v<AnEquilibrium, FullEquilibrium>;
+    constexpr double w_rest = d2q9::weight[0];
+    constexpr double w_axis = d2q9::weight[1];
+    constexpr double w_diagonal = d2q9::weight[5];
+    const auto [f0, f1, f2, f3, f4, f5, f6, f7, f8] = row.at;
+    const double* const force_x = row.force_x;
+    const double* const force_y = row.force_y;
+    const double* const even_rate = row.even;
+    const double* const odd_rate = row.odd;
+    double* const velocity_x = row.velocity_x;
+    double* const velocity_y = row.velocity_y;
+    const Vec2 body_force = row.body_force;
+
+#pragma omp simd
+    for (int i = 0; i < row.count; ++i) {
+        // The pairs along x, y, the rising diagonal (1, 1) and the falling one (−1, 1).
+        const double rest = f0[i];
+        const double sum_x = f1[i] + f3[i], difference_x = f1[i] - f3[i];
+        const double sum_y = f2[i] + f4[i], difference_y = f2[i] - f4[i];
+        const double sum_r = f5[i] + f7[i], difference_r = f5[i] - f7[i];
+        const double sum_f = f6[i] + f8[i], difference_f = f6[i] - f8[i];
+
+        const double density_deviation = rest + ((sum_x + sum_y) + (sum_r + sum_f));
+        const double flux_x = difference_x + (difference_r - difference_f);
+        const double flux_y = difference_y + (difference_r + difference_f);
+        const double fx = force_x[i] + body_force.x;
+        const double fy = force_y[i] + body_force.y;
+        const double momentum_x = flux_x + 0.5 * fx;
+        const double momentum_y = flux_y + 0.5 * fy;
+        double ux = momentum_x;
+        double uy = momentum_y;
+        if constexpr (full) {
+            const double volume = 1.0 / (1.0 + density_deviation);
+            ux *= volume;
+            uy *= volume;
+        }
+        velocity_x[i] = ux;
+        velocity_y[i] = uy;
+
+        const double even = even_rate[i];
+        const double keep_even = 0.5 - 0.5 * even;
+        const double e = even * density_deviation;
+        double e_rest = e, e_x = e, e_y = e, e_r = e, e_f = e;
+        if constexpr (!linear) {
+            const double vx = even * momentum_x + (2.0 - even) * fx;
+            const double vy = even * momentum_y + (2.0 - even) * fy;
+            const double xx = 4.5 * (ux * vx);
+            const double yy = 4.5 * (uy * vy);
+            const double xy = 4.5 * (ux * vy + uy * vx);
+            e_rest = e - (1.0 / 3.0) * (xx + yy);
+            e_x = e_rest + xx;
+            e_y = e_rest + yy;
+            e_r = e_rest + (xx + yy) + xy;
+            e_f = e_rest + (xx + yy) - xy;
+        }
+        const double odd = odd_rate[i];
+        const double keep_odd = 0.5 - 0.5 * odd;
+        const double push_x = (3.0 * w_axis) * (odd * flux_x + fx);
+        const double push_y = (3.0 * w_axis) * (odd * flux_y + fy);
+        constexpr double diagonal_to_axis = w_diagonal / w_axis;
+
+        const auto depart = [i](double* forth, double* back, double even_part, double odd_part) {
+            back[i] = even_part + odd_part;
+            forth[i] = even_part - odd_part;
+        };
+        f0[i] = (1.0 - even) * rest + w_rest * e_rest;
+        depart(f1, f3, keep_even * sum_x + w_axis * e_x, keep_odd * difference_x + push_x);
+        depart(f2, f4, keep_even * sum_y + w_axis * e_y, keep_odd * difference_y + push_y);
+        depart(f5, f7, keep_even * sum_r + w_diagonal * e_r,
+               keep_odd * difference_r + diagonal_to_axis * (push_y + push_x));
+        depart(f6, f8, keep_even * sum_f + w_diagonal * e_f,
+               keep_odd * difference_f + diagonal_to_axis * (push_y - push_x));
+    }
+}
+
+/// `collide_row_with`, compiled for each level of the instruction set.
+void collide_row(LinearEquilibrium, const RowOfSites& row);
+void collide_row(IncompressibleEquilibrium, const RowOfSites& row);
+void collide_row(FullEquilibrium, const RowOfSites& row);
+
+}  // namespace tt

@@ -1,0 +1,98 @@
+#include <array>
+
+#include "fluid/collide_stream.hpp"
+
+namespace tt {
+namespace {
+
+using Nine = std::array<double, d2q9::count>;
+
+/// n modulo count, in 0 … count − 1.
+int wrapped(int n, int count) { return ((n % count) + count) % count; }
+
+/// The populations arriving at site (x, y), in either phase, without a halo.
+Nine arriving_at(const Populations& populations, int x, int y) {
+    const Lattice& lattice = populations.lattice();
+    Nine f{};
+    for (int i = 0; i < d2q9::count; ++i) {
+        const bool home = populations.phase == Populations::Phase::even || populations.wall_between(y, -d2q9::cy[i]);
+        f[i] = home ? populations.slot(i, x, y)
+                    : populations.slot(d2q9::opposite[i], wrapped(x - d2q9::cx[i], lattice.nx),
+                                       wrapped(y - d2q9::cy[i], lattice.ny));
+    }
+    return f;
+}
+
+/// Eqs. 1–4 with two rates: g_i = f_i − ω⁺ (f_i⁺ − f_i^eq⁺) − ω⁻ (f_i⁻ − f_i^eq⁻) + (1 − ω⁺/2) B_i⁺ + (1 − ω⁻/2) B_i⁻,
+/// where a_i^± = ½(a_i ± a_ī). Returns g and sets u.
+template <class AnEquilibrium>
+Nine collided(AnEquilibrium kind, const Nine& f, Vec2 force, double even, double odd, Vec2& u) {
+    double density_deviation = 0.0;
+    Vec2 momentum = 0.5 * force;
+    for (int i = 0; i < d2q9::count; ++i) {
+        density_deviation += f[i];
+        momentum += f[i] * Vec2{double(d2q9::cx[i]), double(d2q9::cy[i])};
+    }
+    u = velocity(kind, density_deviation, momentum);
+    Nine off_equilibrium{};
+    Nine push{};
+    for (int i = 0; i < d2q9::count; ++i) {
+        off_equilibrium[i] = f[i] - population(kind, i, density_deviation, u);
+        push[i] = forcing(kind, i, u, force);
+    }
+    Nine g{};
+    for (int i = 0; i < d2q9::count; ++i) {
+        const int o = d2q9::opposite[i];
+        g[i] = f[i] - even * 0.5 * (off_equilibrium[i] + off_equilibrium[o])
+                    - odd * 0.5 * (off_equilibrium[i] - off_equilibrium[o])
+                    + (1.0 - 0.5 * even) * 0.5 * (push[i] + push[o])
+                    + (1.0 - 0.5 * odd) * 0.5 * (push[i] - push[o]);
+    }
+    return g;
+}
+
+/// Sends g away from site (x, y) into `next`, phase even: to the neighbour, through a periodic end, or half-way back
+/// from a wall.
+void stream(const Boundaries& boundaries, const Nine& g, int x, int y, Populations& next) {
+    const Lattice& lattice = next.lattice();
+    for (int i = 0; i < d2q9::count; ++i) {
+        const int to_x = x + d2q9::cx[i];
+        const int to_y = y + d2q9::cy[i];
+        if (next.wall_between(y, d2q9::cy[i])) {
+            const double wall_speed = to_y < 0 ? boundaries.bottom_speed : boundaries.top_speed;
+            next.slot(d2q9::opposite[i], x, y) = g[i] - 6.0 * d2q9::weight[i] * along(i, {wall_speed, 0.0});
+            continue;
+        }
+        double gain = 0.0;
+        if (to_x == lattice.nx) gain = d2q9::weight[i] * 3.0 * boundaries.pressure_drop;
+        if (to_x == -1) gain = -d2q9::weight[i] * 3.0 * boundaries.pressure_drop;
+        next.slot(i, wrapped(to_x, lattice.nx), wrapped(to_y, lattice.ny)) = g[i] + gain;
+    }
+}
+
+}  // namespace
+
+void collide_and_stream_reference(const Equilibrium& equilibrium, const Boundaries& boundaries, Vec2 body_force,
+                                  const VectorField& force, const Relaxation& relaxation, Populations& populations,
+                                  VectorField& velocity) {
+    const Lattice& lattice = populations.lattice();
+    Populations next(lattice);
+    for (int y = 0; y < lattice.ny; ++y) {
+        for (int x = 0; x < lattice.nx; ++x) {
+            const Nine f = arriving_at(populations, x, y);
+            Vec2 u;
+            const Nine g = std::visit(
+                [&](auto kind) {
+                    return collided(kind, f, force(x, y) + body_force, relaxation.even(x, y),
+                                    relaxation.odd(x, y), u);
+                },
+                equilibrium);
+            velocity.x(x, y) = u.x;
+            velocity.y(x, y) = u.y;
+            stream(boundaries, g, x, y, next);
+        }
+    }
+    populations = next;
+}
+
+}  // namespace tt

@@ -1,0 +1,34 @@
+#include "fluid/moments.hpp"
+
+namespace tt {
+
+Moments moments(const Populations& populations, int i, int j) {
+    Moments m;
+    for (int k = 0; k < d2q9::count; ++k) {
+        const double f = populations.arriving(k, i, j);
+        m.density_deviation += f;
+        m.momentum += f * Vec2{double(d2q9::cx[k]), double(d2q9::cy[k])};
+        m.xx += f * d2q9::cx[k] * d2q9::cx[k];
+        m.xy += f * d2q9::cx[k] * d2q9::cy[k];
+        m.yy += f * d2q9::cy[k] * d2q9::cy[k];
+    }
+    return m;
+}
+
+void set_equilibrium(const Equilibrium& equilibrium, const VectorField& velocity, Populations& populations) {
+    const Lattice& lattice = populations.lattice();
+    populations.phase = Populations::Phase::even;
+    std::visit(
+        [&](auto kind) {
+            for (int k = 0; k < d2q9::count; ++k) {
+                for (int j = 0; j < lattice.ny; ++j) {
+                    for (int i = 0; i < lattice.nx; ++i) {
+                        populations.slot(k, i, j) = population(kind, k, 0.0, velocity(i, j));
+                    }
+                }
+            }
+        },
+        equilibrium);
+}
+
+}  // namespace tt

@@ -1,0 +1,197 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <rapidcheck.h>
+
+#include "base/random.hpp"
+#include "exchange/periodic.hpp"
+#include "fluid/collide_stream.hpp"
+#include "fluid/collision/collision.hpp"
+
+namespace {
+
+using namespace tt;
+
+/// Everything a pass depends on, drawn at random.
+struct Scene {
+    Lattice lattice;
+    Equilibrium equilibrium;
+    Boundaries boundaries;
+    Vec2 body_force;
+    VectorField force;
+    Relaxation relaxation;
+    Populations populations;
+};
+
+const std::array<Equilibrium, 3> equilibria{LinearEquilibrium{}, IncompressibleEquilibrium{}, FullEquilibrium{}};
+const std::array<Collision, 2> collisions{Trt{}, Bgk{}};
+
+int below(int n) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, n)); }
+
+Scene random_scene() {
+    Scene s;
+    s.lattice = {1 + below(37), 1 + below(12), below(2) == 0};
+    s.equilibrium = equilibria[below(3)];
+    const Collision collision = collisions[below(2)];
+    Random random(*rc::gen::arbitrary<std::uint64_t>());
+    if (below(2) == 0) s.boundaries.bottom_speed = random.uniform(-0.1, 0.1);
+    if (below(2) == 0) s.boundaries.top_speed = random.uniform(-0.1, 0.1);
+    if (below(2) == 0) s.boundaries.pressure_drop = random.uniform(-0.01, 0.01);
+    s.body_force = {random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1e-3)};
+    s.force = VectorField(s.lattice);
+    s.relaxation = Relaxation(s.lattice);
+    s.populations = Populations(s.lattice);
+    for (int j = 0; j < s.lattice.ny; ++j) {
+        for (int i = 0; i < s.lattice.nx; ++i) {
+            s.force.x(i, j) = random.uniform(-1e-2, 1e-2);
+            s.force.y(i, j) = random.uniform(-1e-2, 1e-2);
+            const double even = random.uniform(0.2, 1.9);
+            s.relaxation.even(i, j) = even;
+            s.relaxation.odd(i, j) = std::visit([&](auto c) { return c.odd_rate(even); }, collision);
+            for (int k = 0; k < d2q9::count; ++k) s.populations.slot(k, i, j) = random.uniform(-0.02, 0.02);
+        }
+    }
+    return s;
+}
+
+/// `steps` passes of the fast kernel on `threads` threads. Returns the velocity of the last.
+VectorField run(Scene& s, int steps, int threads) {
+    VectorField velocity(s.lattice);
+    Periodic exchange;
+    with_team(threads, [&] {
+        for (int step = 0; step < steps; ++step) {
+            collide_and_stream(s.equilibrium, s.boundaries, s.body_force, s.force, s.relaxation, s.populations,
+                               velocity);
+            settle(exchange, s.populations);
+        }
+    });
+    return velocity;
+}
+
+VectorField run_reference(Scene& s, int steps) {
+    VectorField velocity(s.lattice);
+    for (int step = 0; step < steps; ++step) {
+        collide_and_stream_reference(s.equilibrium, s.boundaries, s.body_force, s.force, s.relaxation, s.populations,
+                                     velocity);
+    }
+    return velocity;
+}
+
+template <class F>
+void for_each_site(const Lattice& lattice, F&& f) {
+    for (int j = 0; j < lattice.ny; ++j) {
+        for (int i = 0; i < lattice.nx; ++i) f(i, j);
+    }
+}
+
+double worst_difference(const Populations& a, const Populations& b) {
+    double worst = 0.0;
+    for_each_site(a.lattice(), [&](int i, int j) {
+        for (int k = 0; k < d2q9::count; ++k) {
+            worst = std::max(worst, std::abs(a.arriving(k, i, j) - b.arriving(k, i, j)));
+        }
+    });
+    return worst;
+}
+
+TEST(FluidPass, fast_and_reference_pass_agree_to_rounding) {
+    for (const Equilibrium& equilibrium : equilibria) {
+        EXPECT_TRUE(rc::check([&] {
+            Scene fast = random_scene();
+            fast.equilibrium = equilibrium;
+            Scene plain = fast;
+            const int steps = 1 + below(5);
+            const VectorField u = run(fast, steps, 1);
+            const VectorField v = run_reference(plain, steps);
+            double worst = worst_difference(fast.populations, plain.populations);
+            for_each_site(fast.lattice, [&](int i, int j) { worst = std::max(worst, norm(u(i, j) - v(i, j))); });
+            RC_LOG() << "worst difference " << worst << '\n';
+            RC_ASSERT(worst < 2e-15);
+        }));
+    }
+}
+
+TEST(FluidPass, takes_over_from_the_reference_pass_in_either_phase) {
+    EXPECT_TRUE(rc::check([] {
+        Scene mixed = random_scene();
+        Scene plain = mixed;
+        run(mixed, *rc::gen::element(1, 2), 1);
+        run_reference(plain, mixed.populations.phase == Populations::Phase::odd ? 1 : 2);
+        run_reference(mixed, 1);
+        run_reference(plain, 1);
+        RC_ASSERT(worst_difference(mixed.populations, plain.populations) < 2e-15);
+    }));
+}
+
+TEST(FluidPass, gives_the_same_bits_on_1_to_8_threads) {
+    EXPECT_TRUE(rc::check([] {
+        Scene alone = random_scene();
+        Scene team = alone;
+        const VectorField u = run(alone, 3, 1);
+        const VectorField v = run(team, 3, *rc::gen::inRange(2, 9));
+        const auto& a = alone.populations.storage();
+        const auto& b = team.populations.storage();
+        RC_ASSERT(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+        RC_ASSERT(std::memcmp(u.x.data(), v.x.data(), u.x.size() * sizeof(double)) == 0);
+        RC_ASSERT(std::memcmp(u.y.data(), v.y.data(), u.y.size() * sizeof(double)) == 0);
+    }));
+}
+
+TEST(FluidPass, conserves_mass_at_any_wall_and_end) {
+    EXPECT_TRUE(rc::check([] {
+        Scene s = random_scene();
+        const auto mass = [&] {
+            double sum = 0.0;
+            for_each_site(s.lattice, [&](int i, int j) { sum += moments(s.populations, i, j).density_deviation; });
+            return sum;
+        };
+        const double before = mass();
+        run(s, *rc::gen::inRange(1, 12), 1);
+        RC_ASSERT(std::abs(mass() - before) < 1e-12);
+    }));
+}
+
+TEST(FluidPass, momentum_in_a_periodic_box_grows_by_the_sum_of_the_forces) {
+    EXPECT_TRUE(rc::check([] {
+        Scene s = random_scene();
+        if (s.lattice.walls) {
+            Scene periodic = s;
+            periodic.lattice.walls = false;
+            periodic.populations = Populations(periodic.lattice);
+            for_each_site(s.lattice, [&](int i, int j) {
+                for (int k = 0; k < d2q9::count; ++k) periodic.populations.slot(k, i, j) = s.populations.slot(k, i, j);
+            });
+            s = periodic;
+        }
+        s.boundaries.pressure_drop = 0.0;
+        const auto momentum = [&] {
+            Vec2 sum;
+            for_each_site(s.lattice, [&](int i, int j) { sum += moments(s.populations, i, j).momentum; });
+            return sum;
+        };
+        Vec2 expected = momentum();
+        const int steps = *rc::gen::inRange(1, 8);
+        for_each_site(s.lattice, [&](int i, int j) { expected += double(steps) * (s.force(i, j) + s.body_force); });
+        run(s, steps, 1);
+        RC_ASSERT(norm(momentum() - expected) < 1e-12);
+    }));
+}
+
+TEST(FluidPass, a_copy_of_populations_is_a_run_of_its_own) {
+    EXPECT_TRUE(rc::check([] {
+        Scene s = random_scene();
+        Scene copy = s;
+        const Scene kept = s;
+        run(copy, 2, 1);
+        RC_ASSERT(s.populations.storage() == kept.populations.storage());
+        Scene assigned = kept;
+        assigned.populations = copy.populations;
+        RC_ASSERT(assigned.populations.slot(1, 0, 0) == copy.populations.slot(1, 0, 0));
+        assigned.populations.slot(1, 0, 0) += 1.0;
+        RC_ASSERT(assigned.populations.slot(1, 0, 0) != copy.populations.slot(1, 0, 0));
+    }));
+}
+
+}  // namespace
