@@ -1,0 +1,137 @@
+#include "case/discretise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tt {
+namespace {
+
+Equilibrium equilibrium_of(const std::string& name) {
+    if (name == "full") return FullEquilibrium{};
+    if (name == "incompressible") return IncompressibleEquilibrium{};
+    return LinearEquilibrium{};
+}
+
+Delta delta_of(const std::string& name) {
+    if (name == Cosine4::name) return Cosine4{};
+    if (name == Hat2::name) return Hat2{};
+    if (name == Roma3::name) return Roma3{};
+    return Peskin4{};
+}
+
+Hardening hardening_of(const HardeningCase& h) {
+    Hardening hardening;
+    const auto applies = [&](const char* modality) {
+        return std::find(h.apply_to.begin(), h.apply_to.end(), modality) != h.apply_to.end();
+    };
+    hardening.shear = applies("shear");
+    hardening.bending = applies("bending");
+    hardening.area = applies("area");
+    hardening.contact = applies("contact");
+    if (h.apply_to.empty()) return hardening;
+    hardening.form = h.form == "exponential" ? Hardening::Form::exponential : Hardening::Form::power_exponential;
+    hardening.compression = h.compression == "one"          ? Hardening::Compression::one
+                            : h.compression == "as-printed" ? Hardening::Compression::as_printed
+                                                            : Hardening::Compression::symmetric;
+    hardening.D = h.D;
+    hardening.beta = h.beta;
+    return hardening;
+}
+
+Membrane membrane_of(const Case& c, const Choice& choice, const Scales& scales) {
+    const MembraneCase& m = c.membrane;
+    const double modulus = scales.to_lattice(m.shear_modulus);
+    const double bending = scales.to_lattice(m.bending_modulus);
+    Membrane membrane;
+    if (m.law == Hookean::name) {
+        membrane.in_plane = Hookean{modulus};
+    } else if (m.law == Skalak::name) {
+        membrane.in_plane = Skalak{modulus, m.area_dilation_ratio};
+    } else {
+        membrane.in_plane = NeoHookean{modulus};
+    }
+    if (m.bending == ReferenceCurvature::name) {
+        membrane.bending = ReferenceCurvature{bending};
+    } else {
+        membrane.bending = CurrentCurvature{bending};
+    }
+    membrane.hardening = hardening_of(m.hardening);
+    membrane.area_stiffness = scales.to_lattice(choice.area_stiffness);
+    return membrane;
+}
+
+/// Distance beyond r₀ at which the attraction has fallen to 1 % of its peak: with z = e^{−β(r−r₀)} the force is
+/// ∝ z − z², largest ¼ at z = ½; 1 % of it at z = ½ (1 − √0.99).
+double query_range(const ContactCase& contact) {
+    const double z = 0.5 * (1.0 - std::sqrt(0.99));
+    return contact.zero_force_distance.si - std::log(z) / contact.decay.si;
+}
+
+ContactModel contact_of(const Case& c, const Scales& scales) {
+    const ContactCase& k = c.contact;
+    ContactModel contact;
+    contact.nearest = k.nearest == "node" ? Nearest::node : Nearest::segment;
+    if (k.model == "morse") {
+        contact.law = Morse{scales.to_lattice(k.energy), scales.to_lattice(k.decay),
+                            scales.to_lattice(k.zero_force_distance), hardening_of(c.membrane.hardening).contact};
+        contact.range = scales.to_lattice(k.range.value_or(Length{query_range(k)}));
+    }
+    if (k.short_range_repulsion) {
+        contact.repulsion_range = k.repulsion_range ? scales.to_lattice(*k.repulsion_range) : 1.0;
+        contact.repulsion_strength = scales.to_lattice(k.repulsion_strength);
+    }
+    return contact;
+}
+
+ViscosityModel viscosity_of(const Case& c, const Choice& choice, const Scales& scales) {
+    const NumericsCase& n = c.numerics;
+    ViscosityModel viscosity;
+    if (n.interior == "flood-fill") viscosity.interior = FloodFill{};
+    if (n.interface_viscosity == "smoothed") viscosity.interface = SmoothedInterface{n.smoothing_width};
+    if (n.collision == "bgk") {
+        viscosity.collision = Bgk{};
+    } else {
+        viscosity.collision = Trt{n.magic};
+    }
+    viscosity.plasma = (choice.relaxation_time - 0.5) / 3.0;
+    viscosity.cytoplasm = viscosity.plasma * (c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si);
+    if (c.layer.thickness) {
+        viscosity.layer_thickness = scales.to_lattice(*c.layer.thickness);
+        viscosity.layer_viscosity = viscosity.plasma * (c.layer.viscosity->si / c.plasma.viscosity.si);
+    }
+    return viscosity;
+}
+
+}  // namespace
+
+Model discretise(const Case& c, const Choice& choice) {
+    Model m;
+    m.lattice = {choice.nx, choice.ny, c.domain.sides == "walls"};
+    const double dx = choice.dx.si;
+    m.scales = {dx, choice.dt.si, choice.density_scale * c.plasma.density.si * dx * dx * dx};
+    m.density_scale = choice.density_scale;
+    m.equilibrium = equilibrium_of(c.numerics.equilibrium);
+    m.delta = delta_of(c.numerics.delta);
+    m.viscosity = viscosity_of(c, choice, m.scales);
+    m.membrane = membrane_of(c, choice, m.scales);
+    m.contact = contact_of(c, m.scales);
+    m.shear_rate = m.scales.to_lattice(choice.shear_rate);
+
+    const double gradient = m.scales.to_lattice(choice.pressure_gradient);
+    if (c.flow.drive == "shear") {
+        m.boundaries.top_speed = 0.5 * m.shear_rate * m.lattice.ny;
+        m.boundaries.bottom_speed = -m.boundaries.top_speed;
+    } else {
+        m.drive.hold_mean_velocity = c.flow.hold == "mean-velocity";
+        m.drive.target_velocity = m.shear_rate * m.lattice.ny;
+        // A controller acts through the body force; a constant drop acts where the case says.
+        if (c.flow.drive == "pressure" && !m.drive.hold_mean_velocity) {
+            m.boundaries.pressure_drop = gradient * m.lattice.nx;
+        } else {
+            m.drive.body_force = gradient;
+        }
+    }
+    return m;
+}
+
+}  // namespace tt

@@ -1,0 +1,159 @@
+#include "case/initial_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "case/choose.hpp"
+#include "case/layout.hpp"
+#include "fluid/collide_stream.hpp"
+#include "membrane/shapes.hpp"
+#include "simulation/derive.hpp"
+
+namespace tt {
+namespace {
+
+/// The nodes of a shape file: x,y in µm, one node a line, '#' starts a comment.
+std::vector<Vec2> points_from(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) throw CaseError({{path, 0, 0, "cannot be opened; [cells] file must name a list of x,y in um"}});
+    std::vector<Vec2> points;
+    std::vector<Fault> faults;
+    std::string line;
+    for (int number = 1; std::getline(file, line); ++number) {
+        line = line.substr(0, line.find('#'));
+        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream words(line);
+        Vec2 p;
+        std::string rest;
+        if (words >> p.x >> p.y && !(words >> rest)) {
+            points.push_back(1e-6 * p);
+        } else {
+            faults.push_back({path, number, 1, "expected two numbers: x, y in um"});
+        }
+    }
+    if (!faults.empty()) throw CaseError(faults);
+    if (points.size() < 8) throw CaseError({{path, 0, 0, "a shape needs at least 8 nodes"}});
+    if (area_of(points) < 0.0) std::reverse(points.begin(), points.end());
+    Vec2 centre;
+    for (Vec2 p : points) centre += p / static_cast<double>(points.size());
+    return placed(points, 0.0, -centre);
+}
+
+/// The stress-free outline about the origin, in sites, with nodes at the spacing the case asks for.
+std::vector<Vec2> stress_free_shape(const Case& c, double dx) {
+    const double spacing = c.numerics.node_spacing.value_or(1.0) * dx;
+    const double radius = c.cells.radius.si;
+    const auto nodes = [&](double perimeter) { return std::max(8, static_cast<int>(std::ceil(perimeter / spacing - 0.01))); };
+    const double aspect = c.cells.aspect_ratio.value_or(1.0);
+    std::vector<Vec2> shape;
+    if (c.cells.shape == "file") {
+        const std::vector<Vec2> points = points_from(*c.cells.file);
+        shape = at_equal_arc_length(points, nodes(perimeter_of(points)));
+    } else if (c.cells.shape == "biconcave") {
+        shape = biconcave(radius, nodes(perimeter_of(biconcave(radius, 1000))));
+    } else if (c.cells.shape == "ellipse") {
+        const double major = radius * std::sqrt(aspect), minor = radius / std::sqrt(aspect);
+        shape = ellipse(major, minor, nodes(perimeter_of(ellipse(major, minor, 1000))));
+    } else {
+        shape = circle(radius, nodes(2.0 * std::numbers::pi * radius));
+    }
+    for (Vec2& p : shape) p *= 1.0 / dx;
+    return shape;
+}
+
+std::vector<Placement> placements(const Case& c, const Model& m, const std::vector<Vec2>& shape) {
+    const double length = m.lattice.nx, width = m.lattice.ny;
+    const auto seed = static_cast<std::uint64_t>(c.cells.seed);
+    int count = static_cast<int>(c.cells.count.value_or(1));
+    if (c.cells.hematocrit) count = static_cast<int>(std::lround(*c.cells.hematocrit * length * width / area_of(shape)));
+    if (c.cells.layout == "paper") return two_rows(count, length, width, m.scales.to_lattice(c.cells.perturbation), seed);
+    if (c.cells.layout == "random") return random_placements(shape, count, length, width, 1.0, seed);
+    if (c.cells.layout == "explicit") {
+        std::vector<Placement> cells;
+        for (const auto& p : c.cells.positions) {
+            cells.push_back({{m.scales.to_lattice(p[0]), m.scales.to_lattice(p[1])}, c.cells.angle.si});
+        }
+        return cells;
+    }
+    return {{{0.5 * length, 0.5 * width}, c.cells.angle.si}};
+}
+
+/// Deforms the placed outline to an ellipse-like shape of this axis ratio at constant area, long axis along x.
+void stretch_about(Vec2 centre, double ratio, Suspension& cells, int cell) {
+    const double along = std::sqrt(ratio);
+    for (int n = cells.first[cell]; n < cells.first[cell + 1]; ++n) {
+        cells.x[n] = centre.x + along * (cells.x[n] - centre.x);
+        cells.y[n] = centre.y + (cells.y[n] - centre.y) / along;
+    }
+}
+
+void refuse_bad_placements(const Model& m, const Suspension& cells) {
+    std::vector<Fault> faults;
+    for (int c = 0; m.lattice.walls && c < cells.cell_count(); ++c) {
+        for (int n = cells.first[c]; n < cells.first[c + 1]; ++n) {
+            if (cells.y[n] > 0.0 && cells.y[n] < m.lattice.ny) continue;
+            faults.push_back({"", 0, 0,
+                              fmt::format("[cells] cell {} reaches beyond a wall (y = {:.3g} um, width {:.3g} um); "
+                                          "make it smaller or move it",
+                                          c, cells.y[n] * m.scales.length * 1e6, m.lattice.ny * m.scales.length * 1e6)});
+            break;
+        }
+    }
+    std::vector<bool> told(cells.cell_count(), false);
+    for (const Overlap& overlap : find_overlaps(m.lattice, cells)) {
+        if (told[overlap.cell]) continue;
+        told[overlap.cell] = true;
+        faults.push_back({"", 0, 0,
+                          fmt::format("[cells] cells {} and {} overlap at the start; use fewer or smaller cells, or another "
+                                      "layout or seed",
+                                      overlap.cell, overlap.other)});
+    }
+    if (!faults.empty()) throw CaseError(faults);
+}
+
+Suspension suspended_cells(const Case& c, const Model& m) {
+    Suspension cells;
+    if (c.numerics.fluid_only) return cells;
+    const std::vector<Vec2> shape = stress_free_shape(c, m.scales.length);
+    for (const Placement& place : placements(c, m, shape)) {
+        add_cell(cells, placed(shape, place.angle, place.centre));
+        if (c.cells.initial_stretch) stretch_about(place.centre, *c.cells.initial_stretch, cells, cells.cell_count() - 1);
+    }
+    refuse_bad_placements(m, cells);
+    return cells;
+}
+
+/// The flow without cells: Couette between the walls, or the Poiseuille flow of the nominal rate.
+VectorField undisturbed_flow(const Model& m) {
+    VectorField velocity(m.lattice);
+    const double height = m.lattice.ny, mean = m.drive.target_velocity;
+    for (int j = 0; j < m.lattice.ny; ++j) {
+        const double y = j + 0.5;
+        const double couette = m.boundaries.bottom_speed + (m.boundaries.top_speed - m.boundaries.bottom_speed) * y / height;
+        const double poiseuille = 6.0 * mean * (y / height) * (1.0 - y / height);
+        for (int i = 0; i < m.lattice.nx; ++i) velocity.x(i, j) = couette + poiseuille;
+    }
+    return velocity;
+}
+
+}  // namespace
+
+State initial_state(const Case& c, const Model& model) {
+    State state;
+    state.populations = Populations(model.lattice);
+    state.cells = suspended_cells(c, model);
+    state.drive.body_force = model.drive.body_force;
+    const VectorField flow = c.flow.start == "rest" ? VectorField(model.lattice) : undisturbed_flow(model);
+    set_equilibrium(model.equilibrium, flow, state.populations);
+    derive(model, state);
+    return state;
+}
+
+}  // namespace tt

@@ -1,0 +1,17 @@
+#include "simulation/derive.hpp"
+
+#include "fluid/collide_stream.hpp"
+
+namespace tt {
+
+void derive(const Model& model, State& state) {
+    const Lattice& lattice = model.lattice;
+    state.force = VectorField(lattice);
+    state.velocity = VectorField(lattice);
+    state.relaxation = Relaxation(lattice);
+    state.stencils = Stencils(state.cells.node_count());
+    locate(model.delta, lattice, state.cells, state.stencils);
+    rebuild_viscosity(model.viscosity, state.cells, state.interior, state.relaxation);
+}
+
+}  // namespace tt
