@@ -1,0 +1,159 @@
+#include "io/file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+
+namespace tt {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void throw_io(const char* verb, const fs::path& path, int code) {
+    throw IoError(fmt::format("cannot {} '{}': {}", verb, path.string(), std::strerror(code)));
+}
+
+void sync_directory(const fs::path& file) {
+    const fs::path directory = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) throw_io("open", directory, errno);
+    // Some file systems cannot sync a directory (EINVAL); the rename itself has succeeded by then.
+    if (::fsync(descriptor) != 0 && errno != EINVAL) {
+        const int code = errno;
+        ::close(descriptor);
+        throw_io("sync", directory, code);
+    }
+    ::close(descriptor);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(fs::path path, Mode mode) : path_(std::move(path)) {
+    const int flags = O_WRONLY | O_CREAT | O_CLOEXEC | (mode == Mode::create ? O_TRUNC : O_APPEND);
+    descriptor_ = ::open(path_.c_str(), flags, 0644);
+    if (descriptor_ < 0) fail("open for writing");
+}
+
+OutputFile::~OutputFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+void OutputFile::fail(const char* verb) const { throw_io(verb, path_, errno); }
+
+void OutputFile::write(const void* bytes, std::size_t count) {
+    const char* next = static_cast<const char*>(bytes);
+    while (count > 0) {
+        const ssize_t written = ::write(descriptor_, next, count);
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail("write");
+        next += written;
+        count -= static_cast<std::size_t>(written);
+    }
+}
+
+void OutputFile::append(std::string_view text) {
+    const std::int64_t before = size();
+    try {
+        write(text.data(), text.size());
+    } catch (const IoError&) {
+        if (::ftruncate(descriptor_, before) != 0) fail("undo a partial write of");
+        throw;
+    }
+}
+
+void OutputFile::sync() {
+    if (::fsync(descriptor_) != 0) fail("sync");
+}
+
+void OutputFile::cut(std::int64_t size) {
+    if (size > this->size()) {
+        throw IoError(fmt::format("'{}' is shorter ({} bytes) than the checkpoint says ({} bytes)", path_.string(),
+                                  this->size(), size));
+    }
+    if (::ftruncate(descriptor_, size) != 0) fail("truncate");
+}
+
+std::int64_t OutputFile::size() const {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0) fail("ask the size of");
+    return status.st_size;
+}
+
+void OutputFile::close() {
+    const int descriptor = std::exchange(descriptor_, -1);
+    if (descriptor >= 0 && ::close(descriptor) != 0) fail("close");
+}
+
+void move_into_place(const fs::path& from, const fs::path& to, Durability durability) {
+    if (::rename(from.c_str(), to.c_str()) != 0) throw_io("replace", to, errno);
+    if (durability == Durability::power) sync_directory(to);
+}
+
+void replace_file(const fs::path& path, std::string_view bytes, Durability durability) {
+    fs::path temporary = path;
+    temporary += ".tmp";
+    try {
+        OutputFile file(temporary, OutputFile::Mode::create);
+        file.write(bytes.data(), bytes.size());
+        if (durability == Durability::power) file.sync();
+        file.close();
+    } catch (const IoError&) {
+        std::error_code ignored;
+        fs::remove(temporary, ignored);
+        throw;
+    }
+    move_into_place(temporary, path, durability);
+}
+
+std::string read_file(const fs::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) throw_io("open", path, errno);
+    std::string text;
+    struct stat status {};
+    if (::fstat(descriptor, &status) == 0 && status.st_size > 0) {
+        text.reserve(static_cast<std::size_t>(status.st_size));
+    }
+    char block[1 << 16];
+    for (;;) {
+        const ssize_t count = ::read(descriptor, block, sizeof block);
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) {
+            const int code = errno;
+            ::close(descriptor);
+            if (count < 0) throw_io("read", path, code);
+            return text;
+        }
+        text.append(block, static_cast<std::size_t>(count));
+    }
+}
+
+void make_directory(const fs::path& path) {
+    std::error_code code;
+    fs::create_directories(path, code);
+    if (code) throw_io("create the directory", path, code.value());
+}
+
+void expect_room(const fs::path& path, std::uint64_t bytes) {
+    struct rlimit limit {};
+    if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && bytes > limit.rlim_cur) {
+        throw_io("write", path, EFBIG);
+    }
+    std::error_code code;
+    const fs::space_info room = fs::space(path.has_parent_path() ? path.parent_path() : fs::path("."), code);
+    if (!code && room.available < bytes) throw_io("write", path, ENOSPC);
+}
+
+}  // namespace tt
