@@ -25,6 +25,7 @@ struct FlowCase {
     std::optional<Rate> pseudo_shear_rate;    ///< mean velocity / width (pressure, body-force)
     std::optional<PressureGradient> pressure_gradient;  ///< instead of pseudo_shear_rate
     std::string hold = "pressure-drop";   ///< pressure-drop | mean-velocity
+    std::string start = "developed";      ///< developed: the flow without cells | rest
     std::optional<Rate> shear_rate;       ///< drive = shear: walls move with ± shear_rate · width / 2
     std::optional<double> shear_number;   ///< G = μ k a / E_s (Eq. 19), instead of shear_rate
 

@@ -38,6 +38,8 @@ struct FieldList<FlowCase> {
                    "what stays constant: the pressure drop that gives plasma alone this pseudo_shear_rate "
                    "(12 mu U / H^2), or the mean velocity itself, by a controller",
                    any_value, "pressure-drop|mean-velocity"},
+        FieldEntry{"start", &T::start, "the fluid at time zero: the flow without cells, or at rest", any_value,
+                   "developed|rest"},
         FieldEntry{"shear_rate", &T::shear_rate, "k, for shear: the walls move with +- k * width / 2", positive, {},
                    "75 /s"},
         FieldEntry{"shear_number", &T::shear_number, "G = mu k a / E_s (Eq. 19), instead of shear_rate", positive, {},
