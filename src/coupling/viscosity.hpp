@@ -4,6 +4,13 @@
 #include <variant>
 #include <vector>
 
+#include "coupling/interface/area_fraction.hpp"
+#include "coupling/interface/sharp.hpp"
+#include "coupling/interface/smoothed.hpp"
+#include "coupling/interior/flood_fill.hpp"
+#include "coupling/interior/scanline.hpp"
+#include "coupling/patch.hpp"
+#include "coupling/viscosity_mean.hpp"
 #include "fluid/collision/collision.hpp"
 #include "fluid/relaxation.hpp"
 #include "grid/field.hpp"
@@ -11,40 +18,53 @@
 
 namespace tt {
 
-/// Which sites lie inside a cell: by the crossings of each lattice row with each outline.
-struct ScanLine {};
-/// The same by the paper's flood fill (its reference 27): mark the membrane, fill from a seed. The oracle of ScanLine.
-struct FloodFill {};
+/// Which sites lie inside a cell.
 using InteriorMethod = std::variant<ScanLine, FloodFill>;
 
-/// How the viscosity passes from plasma to cytoplasm across a membrane.
-struct SharpInterface {};                              ///< the site's own side
-struct SmoothedInterface { double half_width = 2.0; };  ///< by signed distance over ± half_width sites
-using InterfaceViscosity = std::variant<SharpInterface, SmoothedInterface>;
+/// How the fraction of cytoplasm passes from 0 to 1 across a membrane. Another way is one more struct with `reach()`
+/// and a call operator that fills a patch.
+using InterfaceViscosity = std::variant<SharpInterface, SmoothedInterface, AreaFraction>;
 
 /// The two-viscosity model, lattice units.
 struct ViscosityModel {
     InteriorMethod interior;
     InterfaceViscosity interface;
+    ViscosityMean mean;
     Collision collision;
     double plasma = 1.0 / 6.0;     ///< kinematic viscosity outside
     double cytoplasm = 1.0 / 6.0;  ///< inside
     double layer_viscosity = 1.0 / 6.0;   ///< of a plain second fluid in 0 ≤ y < layer_thickness
     double layer_thickness = 0.0;
+    double refresh_distance = 0.05;  ///< a cell is laid anew once a node is this far from where it last was; 0: always
 };
 
-/// Fraction of cytoplasm per site, 0 … 1, and what the method keeps from step to step to update only what moved.
+/// One cell's share in the fraction field, now and before the last refresh.
+struct CellPatch {
+    Patch now, before;
+    LocalOutline local;
+    bool refreshed = false;
+};
+
+/// Fraction of cytoplasm per site, and what it was made from.
 struct InteriorState {
-    Field fraction;
-    // private work arrays of the method follow; derived from the cells, never checkpointed
-    std::vector<std::int32_t> work;
+    Field fraction;  ///< 0 … 1; where cells overlap their fractions add up
+    /// Where each node was when its cell was last laid on the lattice. `fraction` and the relaxation rates are a
+    /// function of these positions, not of the current ones: a checkpoint keeps them.
+    std::vector<double> x, y;
+    std::vector<CellPatch> patches;  ///< per cell; derived
 };
 
-/// Recomputes fraction and relaxation rates from the outlines, from scratch.
+/// Recomputes fraction and relaxation rates from the current outlines, from scratch. Allocates.
 void rebuild_viscosity(const ViscosityModel& model, const Suspension& cells, InteriorState& interior,
                        Relaxation& relaxation);
 
-/// Brings both up to date after the membranes moved; gives the same bits as `rebuild_viscosity`. Team function.
+/// The same from the positions kept in `interior.x`, `interior.y`: after reading a checkpoint. Allocates.
+void restore_viscosity(const ViscosityModel& model, const Suspension& cells, InteriorState& interior,
+                       Relaxation& relaxation);
+
+/// Brings both up to date after the membranes moved: lays anew the cells of which a node has moved by more than
+/// refresh_distance since they were last laid, and touches only sites whose fraction changed. Gives the same bits as
+/// `restore_viscosity` from the same kept positions. Team function.
 void update_viscosity(const ViscosityModel& model, const Suspension& cells, InteriorState& interior,
                       Relaxation& relaxation);
 

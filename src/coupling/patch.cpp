@@ -1,0 +1,51 @@
+#include "coupling/patch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tt {
+namespace {
+
+struct Extent {
+    double low = 0.0, high = 0.0;
+    bool finite = true;
+};
+
+Extent extent(std::span<const double> v) {
+    Extent e{v[0], v[0], true};
+    double nought = 0.0;  // stays 0 unless a value is NaN or infinite
+    for (const double a : v) {
+        e.low = std::min(e.low, a);
+        e.high = std::max(e.high, a);
+        nought += a * 0.0;
+    }
+    e.finite = nought == 0.0;
+    return e;
+}
+
+void copy_closed(std::span<const double> from, double origin, std::vector<double>& to) {
+    const std::size_t n = from.size();
+    to.resize(n + 1);
+    for (std::size_t k = 0; k < n; ++k) to[k] = from[k] - origin;
+    to[n] = to[0];
+}
+
+}  // namespace
+
+bool lay_patch(const Outline& outline, double reach, double limit, Patch& patch, LocalOutline& local) {
+    const Extent ex = extent(outline.x);
+    const Extent ey = extent(outline.y);
+    if (!ex.finite || !ey.finite || !(ex.high - ex.low < limit) || !(ey.high - ey.low < limit)) return false;
+    if (!(std::abs(ex.low) < 1e9) || !(std::abs(ey.low) < 1e9)) return false;
+    patch.i = static_cast<int>(std::floor(ex.low - reach)) - 1;
+    patch.j = static_cast<int>(std::floor(ey.low - reach)) - 1;
+    const int width = static_cast<int>(std::ceil(ex.high + reach)) + 1 - patch.i;
+    patch.width = (width + Patch::lanes - 1) / Patch::lanes * Patch::lanes;
+    patch.height = static_cast<int>(std::ceil(ey.high + reach)) + 2 - patch.j;
+    patch.value.assign(static_cast<std::size_t>(patch.width) * patch.height, 0.0);
+    copy_closed(outline.x, patch.i, local.x);
+    copy_closed(outline.y, patch.j, local.y);
+    return true;
+}
+
+}  // namespace tt
