@@ -1,0 +1,183 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "report/figures.hpp"
+
+namespace tt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_columns = 800;  ///< of the drawn field: finer than that is finer than print
+
+/// Speed [m/s] on blocks of stride × stride sites, row after row from the bottom.
+struct SpeedMap {
+    int columns = 0, rows = 0, stride = 1;
+    std::vector<double> speed;
+};
+
+SpeedMap speed_map(const FrameGrid& grid, const Frame& frame) {
+    SpeedMap map;
+    map.stride = (grid.nx + most_columns - 1) / most_columns;
+    map.columns = grid.nx / map.stride;
+    map.rows = grid.ny / map.stride;
+    map.speed.assign(static_cast<std::size_t>(map.columns) * map.rows, 0.0);
+    for (int j = 0; j < map.rows * map.stride; ++j)
+        for (int i = 0; i < map.columns * map.stride; ++i) {
+            const std::size_t site = static_cast<std::size_t>(j) * grid.nx + i;
+            const std::size_t block = static_cast<std::size_t>(j / map.stride) * map.columns + i / map.stride;
+            map.speed[block] += std::hypot(frame.velocity_x[site], frame.velocity_y[site]) / (map.stride * map.stride);
+        }
+    return map;
+}
+
+std::string matrix_text(const SpeedMap& map, double factor) {
+    std::string text = fmt::format("# speed, scaled by {:g} from m/s; one row of blocks a line, from the bottom\n", factor);
+    for (int j = 0; j < map.rows; ++j) {
+        for (int i = 0; i < map.columns; ++i)
+            text += fmt::format("{}{:.4g}", i ? " " : "", factor * map.speed[static_cast<std::size_t>(j) * map.columns + i]);
+        text += '\n';
+    }
+    return text;
+}
+
+/// Closed outlines [µm], wrapped into the box; a cell across an end is written at both. A blank line ends each.
+std::string outlines_text(const FrameGrid& grid, std::vector<Vec2> nodes) {
+    std::string text = "# x [um] y [um] cell; a blank line between outlines\n";
+    for (int cell = 0; cell < grid.cell_count(); ++cell) {
+        const int begin = grid.first[static_cast<std::size_t>(cell)];
+        const int end = grid.first[static_cast<std::size_t>(cell) + 1];
+        wrap_cell(nodes, begin, end, grid.length);
+        const auto by_x = [](Vec2 a, Vec2 b) { return a.x < b.x; };
+        const auto [left, right] = std::minmax_element(nodes.begin() + begin, nodes.begin() + end, by_x);
+        for (const double shift : {-grid.length, 0.0, grid.length}) {
+            if (right->x + shift < 0.0 || left->x + shift > grid.length) continue;
+            for (int k = begin; k <= end; ++k) {
+                const Vec2 p = nodes[static_cast<std::size_t>(k == end ? begin : k)];
+                text += fmt::format("{:.5g} {:.5g} {}\n", (p.x + shift) * 1e6, p.y * 1e6, cell);
+            }
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+/// Where the panels stand, in pixels of the figure.
+struct PanelGrid {
+    int columns, rows;
+    double panel_width, panel_height;
+    static constexpr double left = 48, right = 14, gap_x = 26, gap_y = 24, bottom = 88, top = 20;
+    int width() const { return static_cast<int>(std::ceil(left + right + columns * panel_width + (columns - 1) * gap_x)); }
+    int height() const { return static_cast<int>(std::ceil(top + bottom + rows * panel_height + (rows - 1) * gap_y)); }
+};
+
+/// Long boxes one below the other at column width, square ones in two columns.
+PanelGrid panel_grid(const FrameGrid& grid, int panels) {
+    const double aspect = grid.length / grid.width;
+    PanelGrid layout{aspect < 2.0 && panels > 1 ? 2 : 1, 1, 0.0, 0.0};
+    layout.rows = (panels + layout.columns - 1) / layout.columns;
+    const double room = 340.0 * (layout.columns == 2 ? 1.2 : 1.0);
+    layout.panel_width = (room - PanelGrid::left - PanelGrid::right - (layout.columns - 1) * PanelGrid::gap_x) / layout.columns;
+    layout.panel_height = layout.panel_width / aspect;
+    return layout;
+}
+
+/// Commands that place panel k and keep labels only at the left and the bottom.
+std::string panel_place(const PanelGrid& layout, int k, int panels) {
+    const int row = k / layout.columns, column = k % layout.columns;
+    const double x0 = PanelGrid::left + column * (layout.panel_width + PanelGrid::gap_x);
+    const double y1 = layout.height() - PanelGrid::top - row * (layout.panel_height + PanelGrid::gap_y);
+    const double w = layout.width(), h = layout.height();
+    std::string text = fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n", x0 / w,
+                                   (x0 + layout.panel_width) / w);
+    text += fmt::format("set bmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n", (y1 - layout.panel_height) / h, y1 / h);
+    const bool lowest = k + layout.columns >= panels;
+    text += lowest ? "set xlabel \"{/:Italic x} [μm]\" offset 0,0.4\nset format x \"%g\"\n" : "unset xlabel\nset format x \"\"\n";
+    text += column == 0 ? "set ylabel \"{/:Italic y} [μm]\" offset 0,0\nset format y \"%g\"\n" : "unset ylabel\nset format y \"\"\n";
+    return text;
+}
+
+constexpr const char* common = R"(set multiplot
+set border 15 lw 0.6
+set tics out scale 0.4
+set palette defined (0 "#f7fbff", 0.25 "#c6dbef", 0.5 "#6baed6", 0.75 "#2d7dbb", 1 "#0b4a8f")
+unset key
+)";
+
+}  // namespace
+
+std::vector<int> chosen_frames(const Results& run) {
+    std::vector<double> wanted;
+    const int last = run.frames->count() - 1;
+    std::string list = run.setting("output.figure_times");
+    for (char& c : list)
+        if (c == '[' || c == ']' || c == ',') c = ' ';
+    const char* at = list.c_str();
+    for (char* end = nullptr;; at = end) {
+        const double milliseconds = std::strtod(at, &end);
+        if (end == at) break;
+        wanted.push_back(milliseconds * 1e-3);
+    }
+    if (wanted.empty())
+        for (const double share : {0.0, 0.25, 0.5, 1.0}) wanted.push_back(share * run.frames->time(last));
+    std::vector<int> frames;
+    for (const double time : wanted) frames.push_back(run.frames->nearest(time));
+    std::sort(frames.begin(), frames.end());
+    frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+    return frames;
+}
+
+void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& drawn) {
+    if (!run.frames || run.frames->count() == 0) return;
+    const FrameGrid& grid = run.frames->grid();
+    std::vector<Frame> frames;
+    for (const int k : chosen_frames(run))
+        if (Frame frame = run.frames->read(k); !frame.velocity_x.empty()) frames.push_back(std::move(frame));
+    if (frames.empty()) return;
+
+    const PanelGrid layout = panel_grid(grid, static_cast<int>(frames.size()));
+    const TimeUnit unit = time_unit(run.frames->time(run.frames->count() - 1));
+    double fastest = 0.0;
+    std::vector<SpeedMap> maps;
+    for (const Frame& frame : frames) {
+        maps.push_back(speed_map(grid, frame));
+        fastest = std::max(fastest, *std::max_element(maps.back().speed.begin(), maps.back().speed.end()));
+    }
+    const bool slow = fastest < 1e-3;
+    const double factor = slow ? 1e6 : 1e3;
+    std::string body = common;
+    if (layout.panel_height < 120.0) body += fmt::format("set ytics {:.3g}\n", grid.width * 0.5e6);
+    if (layout.columns > 1)
+        body += fmt::format("set xtics {:.3g}\nset ytics {:.3g}\n", grid.length * 0.25e6, grid.width * 0.25e6);
+    body += fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]\nset cbrange [0:{:.4g}]\n", grid.length * 1e6,
+                        grid.width * 1e6, std::max(fastest * factor, 1e-9));
+    const int panels = static_cast<int>(frames.size());
+    for (int k = 0; k < panels; ++k) {
+        const std::string stem = fmt::format("flow_{}", k + 1);
+        const auto index = static_cast<std::size_t>(k);
+        write_text(out / (stem + "_speed.dat"), matrix_text(maps[index], factor));
+        write_text(out / (stem + "_cells.dat"), outlines_text(grid, frames[index].nodes));
+        body += panel_place(layout, k, panels);
+        body += fmt::format("set title \"{{/:Italic t}} = {:.4g} {}\" offset 0,-0.7\n", frames[index].time * unit.per_second, unit.name);
+        body += k + 1 < panels ? "unset colorbox\n"
+                               : fmt::format("set colorbox user horizontal origin {:.4f},{:.4f} size {:.4f},{:.4f}\nset cblabel "
+                                             "\"speed [{}]\" offset 0,0.5\nset cbtics scale 0.3 offset 0,0.4\n",
+                                             PanelGrid::left / layout.width(), 38.0 / layout.height(),
+                                             1.0 - (PanelGrid::left + PanelGrid::right) / layout.width(),
+                                             7.0 / layout.height(), slow ? "μm/s" : "mm/s");
+        const double block = grid.dx * maps[index].stride * 1e6;
+        body += fmt::format("plot \"{0}_speed.dat\" matrix using (({1:.8g})*($1+0.5)):(({1:.8g})*($2+0.5)):3 with image", stem, block);
+        if (grid.node_count() > 0)
+            body += fmt::format(", \\\n     \"{0}_cells.dat\" using 1:2 with filledcurves closed fc rgb \"#c8372d\" fillstyle "
+                                "transparent solid 0.8 noborder, \\\n     \"\" using 1:2 with lines lc rgb \"#5c0d08\" lw 0.7", stem);
+        body += "\n";
+    }
+    body += "unset multiplot";
+    run_gnuplot(out, "flow", body, layout.width(), layout.height());
+    drawn.push_back({"flow", "Cells (red) and speed of the flow at chosen times. Flow is along x, which is periodic: a cell that "
+                             "crosses an end appears at both."});
+}
+
+}  // namespace tt

@@ -1,0 +1,138 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "report/figures.hpp"
+
+namespace tt {
+namespace {
+
+namespace fs = std::filesystem;
+using Column = std::vector<double>;
+
+Column scaled(Column values, double factor) {
+    for (double& value : values) value *= factor;
+    return values;
+}
+
+/// Width between the walls: rows of sites stand half a spacing away from them.
+double wall_distance(const Column& y) { return y.size() < 2 ? 0.0 : y.back() + y.front(); }
+
+/// A unit of velocity that keeps the axis readable.
+struct VelocityUnit {
+    double per_si;
+    std::string name;
+};
+
+VelocityUnit velocity_unit(std::span<const Results> runs) {
+    double fastest = 0.0;
+    for (const Results& run : runs)
+        for (const double u : run.profiles.values("velocity")) fastest = std::max(fastest, std::abs(u));
+    return fastest < 1e-3 ? VelocityUnit{1e6, "μm/s"} : VelocityUnit{1e3, "mm/s"};
+}
+
+/// The profile without cells of the same flux: 6 U y (H − y)/H² between resting walls, and u = k (y − H/2) + U between
+/// walls that move with ± k H/2. Empty if the case does not say how the flow is driven.
+Column profile_of_plasma(const Results& run) {
+    const Column& y = run.profiles.values("y");
+    const Column& u = run.profiles.values("velocity");
+    const double width = wall_distance(y);
+    if (u.empty() || width <= 0.0) return {};
+    double mean = 0.0;
+    for (const double value : u) mean += value / static_cast<double>(u.size());
+    Column plasma;
+    const std::string drive = run.setting("flow.drive");
+    const double rate = setting_si(run.setting("flow.shear_rate"));
+    if (drive == "shear" && !std::isfinite(rate)) return {};
+    if (drive != "shear" && drive != "pressure" && drive != "body-force") return {};
+    for (const double height : y)
+        plasma.push_back(drive == "shear" ? mean + rate * (height - 0.5 * width)
+                                          : 6.0 * mean * height * (width - height) / (width * width));
+    return plasma;
+}
+
+LineFigure across(std::span<const Results> runs, const std::string& name, const std::string& x_label) {
+    LineFigure figure;
+    figure.name = name;
+    double width = 0.0;
+    for (const Results& run : runs) width = std::max(width, wall_distance(run.profiles.values("y")));
+    figure.commands = {"set xlabel \"" + x_label + "\"", "set ylabel \"{/:Italic y} [μm]\"",
+                       fmt::format("set yrange [0:{:.6g}]", width * 1e6), "set border 7"};
+    return figure;
+}
+
+void finish(const LineFigure& figure, const fs::path& out, std::vector<Figure>& drawn) {
+    if (figure.curves.empty()) return;
+    draw(figure, out);
+    drawn.push_back({figure.name, figure.caption});
+}
+
+void draw_velocity(std::span<const Results> runs, const fs::path& out, std::vector<Figure>& drawn) {
+    const VelocityUnit unit = velocity_unit(runs);
+    LineFigure figure = across(runs, "velocity_profile", "velocity [" + unit.name + "]");
+    figure.column_names = {"velocity [" + unit.name + "]", "y [um]"};
+    const std::vector<std::string> labels = run_labels(runs);
+    const bool single = runs.size() == 1;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        const Column y = scaled(runs[r].profiles.values("y"), 1e6);
+        const Column u = scaled(runs[r].profiles.values("velocity"), unit.per_si);
+        if (u.empty()) continue;
+        figure.curves.push_back({single ? "with cells" : labels[r], fmt::format("using 1:2 with lines linetype {}", r + 1), {u, y}});
+        const Column plasma = scaled(profile_of_plasma(runs[r]), unit.per_si);
+        if (plasma.empty()) continue;
+        const std::string dashed = single ? "linetype 7" : fmt::format("linetype {}", r + 1);
+        const std::string title = runs[r].setting("flow.drive") == "shear" ? "Couette flow" : "Poiseuille, same flux";
+        figure.curves.push_back({single ? title : "", "using 1:2 with lines " + dashed + " dashtype 2 lw 1.1", {plasma, y}});
+    }
+    figure.caption = "Velocity along the channel, averaged over its length and over the window. Dashed: the flow of plasma alone "
+                     "with the same flux.";
+    figure.commands.push_back("set key outside top center horizontal samplen 1.2");
+    finish(figure, out, drawn);
+}
+
+/// Shades both cell-free layers of a single run and writes their width beside them.
+void mark_layers(LineFigure& figure, const Results& run) {
+    const double bottom = window_mean(run, "cfl_profile_bottom") * 1e6;
+    const double top = window_mean(run, "cfl_profile_top") * 1e6;
+    const double width = wall_distance(run.profiles.values("y")) * 1e6;
+    if (!std::isfinite(bottom) || !std::isfinite(top)) return;
+    const std::string fill = "fc rgb \"#f6e3c5\" fillstyle solid noborder behind";
+    figure.commands.push_back(fmt::format("set object 1 rectangle from graph 0, first 0 to graph 1, first {:.6g} {}", bottom, fill));
+    figure.commands.push_back(
+        fmt::format("set object 2 rectangle from graph 0, first {:.6g} to graph 1, first {:.6g} {}", width - top, width, fill));
+    figure.commands.push_back(fmt::format("set label 1 \"cell-free layer {:.2f} μm\" at graph 0.97, first {:.6g} right", bottom,
+                                          0.5 * bottom));
+    figure.commands.push_back(fmt::format("set label 2 \"cell-free layer {:.2f} μm\" at graph 0.97, first {:.6g} right", top,
+                                          width - 0.5 * top));
+}
+
+void draw_hematocrit(std::span<const Results> runs, const fs::path& out, std::vector<Figure>& drawn) {
+    LineFigure figure = across(runs, "hematocrit_profile", "local hematocrit");
+    figure.column_names = {"hematocrit", "y [um]"};
+    const std::vector<std::string> labels = run_labels(runs);
+    const bool single = runs.size() == 1;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        const Column& h = runs[r].profiles.values("hematocrit");
+        if (h.empty()) continue;
+        figure.curves.push_back({single ? "" : labels[r], fmt::format("using 1:2 with lines linetype {}", r + 1),
+                                 {h, scaled(runs[r].profiles.values("y"), 1e6)}});
+    }
+    figure.caption = "Share of the cells' interior at each height, averaged over the length and over the window.";
+    figure.commands.push_back("set xrange [0:*]");
+    if (single) {
+        mark_layers(figure, runs.front());
+        figure.caption += " Shaded: the cell-free layers, wall to where the profile reaches half its maximum.";
+    } else {
+        figure.commands.push_back("set key outside top center horizontal samplen 1.2");
+    }
+    finish(figure, out, drawn);
+}
+
+}  // namespace
+
+void draw_profiles(std::span<const Results> runs, const fs::path& out, std::vector<Figure>& drawn) {
+    draw_velocity(runs, out, drawn);
+    draw_hematocrit(runs, out, drawn);
+}
+
+}  // namespace tt

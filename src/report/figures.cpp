@@ -1,0 +1,38 @@
+#include "report/figures.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+#include "base/error.hpp"
+
+namespace tt {
+
+std::vector<std::string> run_labels(std::span<const Results> runs) {
+    std::vector<std::string> labels;
+    for (const Results& run : runs) {
+        const auto same = std::count_if(runs.begin(), runs.end(), [&](const Results& r) { return r.name == run.name; });
+        const auto folder = std::filesystem::absolute(run.directory / "").parent_path().filename().string();
+        labels.push_back(same > 1 && folder != run.name ? run.name + " (" + folder + ")" : run.name);
+    }
+    return labels;
+}
+
+TimeUnit time_unit(double longest) {
+    if (longest >= 1.0) return {1.0, "s"};
+    if (longest >= 1e-3) return {1e3, "ms"};
+    return {1e6, "μs"};
+}
+
+std::vector<Figure> draw_figures(std::span<const Results> runs, const std::filesystem::path& out) {
+    std::error_code failure;
+    std::filesystem::create_directories(out, failure);
+    if (failure) throw IoError(out.string() + ": cannot be made: " + failure.message());
+    write_style(out);
+    std::vector<Figure> drawn;
+    if (runs.size() == 1) draw_flow(runs.front(), out, drawn);
+    draw_series(runs, out, drawn);
+    draw_profiles(runs, out, drawn);
+    return drawn;
+}
+
+}  // namespace tt

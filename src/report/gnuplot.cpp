@@ -1,0 +1,118 @@
+#include "report/gnuplot.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+
+namespace tt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view style = R"(# Shared by all figures of this folder. Redraw one with: gnuplot NAME.gp
+# Colours of Okabe and Ito, which people of any colour vision tell apart.
+set encoding utf8
+set linetype 1 lc rgb "#0072B2" lw 1.6
+set linetype 2 lc rgb "#D55E00" lw 1.6
+set linetype 3 lc rgb "#009E73" lw 1.6
+set linetype 4 lc rgb "#CC79A7" lw 1.6
+set linetype 5 lc rgb "#E69F00" lw 1.6
+set linetype 6 lc rgb "#56B4E9" lw 1.6
+set linetype 7 lc rgb "#000000" lw 1.6
+set linetype cycle 7
+set border 3 lw 0.8 lc rgb "#222222"
+set tics nomirror out scale 0.6
+set key top right samplen 1.8 spacing 1.15
+)";
+
+constexpr std::string_view script = R"(load "style.gp"
+do for [type in "png svg"] {{
+if (type eq "png") {{
+  set terminal pngcairo size {0},{1} font "DejaVu Sans,25.5" linewidth 3 pointscale 3
+}} else {{
+  set terminal svg size {2},{3} dynamic background "white" font "DejaVu Sans,Verdana,sans-serif,11"
+}}
+set output "{4}." . type
+{5}
+}}
+unset output
+)";
+
+/// Runs gnuplot inside `out`; its messages go to name.log, which stays only if it fails.
+void execute(const fs::path& out, const std::string& name) {
+    std::string folder = out.string();
+    for (std::size_t k = 0; (k = folder.find('\'', k)) != std::string::npos; k += 4) folder.replace(k, 1, "'\\''");
+    const std::string line = fmt::format("cd '{0}' && gnuplot {1}.gp > {1}.log 2>&1", folder, name);
+    const int status = std::system(line.c_str());
+    const fs::path log = out / (name + ".log");
+    if (status == 0) {
+        fs::remove(log);
+        return;
+    }
+    if (std::system("command -v gnuplot > /dev/null 2>&1") != 0)
+        throw IoError("figures need gnuplot, which is not installed; on Debian or Ubuntu: sudo apt install gnuplot-nox");
+    std::ifstream file(log);
+    const std::string message{std::istreambuf_iterator<char>(file), {}};
+    throw IoError(fmt::format("gnuplot could not draw {}: {}", (out / (name + ".gp")).string(), message));
+}
+
+std::string data_text(const LineFigure& figure) {
+    std::string text = "# columns: " + fmt::format("{}\n", fmt::join(figure.column_names, ", "));
+    for (const Curve& curve : figure.curves) {
+        if (curve.columns.empty() || curve.columns.front().empty()) continue;
+        text += fmt::format("# {}\n", curve.title.empty() ? "untitled" : curve.title);
+        for (std::size_t row = 0; row < curve.columns.front().size(); ++row) {
+            for (std::size_t c = 0; c < curve.columns.size(); ++c)
+                text += fmt::format("{}{:.7g}", c ? " " : "", curve.columns[c][row]);
+            text += '\n';
+        }
+        text += "\n\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string gnuplot_string(std::string_view text) {
+    std::string result = "'";
+    for (const char c : text) {
+        if (c == '\'') result += '\'';
+        result += c == '\n' ? ' ' : c;
+    }
+    return result + "'";
+}
+
+void write_text(const fs::path& path, std::string_view text) {
+    std::ofstream file(path, std::ios::binary);
+    file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    file.close();
+    if (!file) throw IoError(path.string() + ": cannot be written");
+}
+
+void write_style(const fs::path& out) { write_text(out / "style.gp", style); }
+
+void run_gnuplot(const fs::path& out, const std::string& name, const std::string& body, int width, int height) {
+    write_text(out / (name + ".gp"), fmt::format(script, 3 * width, 3 * height, width, height, name, body));
+    execute(out, name);
+}
+
+void draw(const LineFigure& figure, const fs::path& out) {
+    write_text(out / (figure.name + ".dat"), data_text(figure));
+    std::string body;
+    for (const std::string& command : figure.commands) body += command + '\n';
+    int index = 0;
+    for (const Curve& curve : figure.curves) {
+        if (curve.columns.empty() || curve.columns.front().empty()) continue;
+        const std::string title = curve.title.empty() ? "notitle" : "title " + gnuplot_string(curve.title) + " noenhanced";
+        body += fmt::format("{}\"{}.dat\" index {} {} {}", index == 0 ? "plot " : ", \\\n     ", figure.name, index,
+                            curve.style, title);
+        ++index;
+    }
+    run_gnuplot(out, figure.name, body, 340, 240);
+}
+
+}  // namespace tt

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tt {
+
+/// A figure that was drawn: name.png, name.svg, name.gp and data files that start with the name.
+struct Figure {
+    std::string name;
+    std::string caption;  ///< one or two sentences, also the alternative text of the page
+};
+
+/// One curve: columns of numbers and how gnuplot draws them, e.g. "using 1:2 with lines linetype 1".
+/// A NaN in a row breaks the line there.
+struct Curve {
+    std::string title;  ///< entry of the key; empty: none
+    std::string style;
+    std::vector<std::vector<double>> columns;
+};
+
+/// A figure of one pair of axes.
+struct LineFigure {
+    std::string name, caption;
+    std::vector<std::string> column_names;  ///< with units, for the head of the data file
+    std::vector<std::string> commands;      ///< gnuplot commands before the plot: labels, ranges, marks
+    std::vector<Curve> curves;
+};
+
+/// Text between gnuplot's single quotes.
+std::string gnuplot_string(std::string_view text);
+
+/// Writes name.dat (one block a curve) and name.gp and draws name.png and name.svg. Curves without rows are left out.
+/// Precondition: at least one curve has rows.
+void draw(const LineFigure& figure, const std::filesystem::path& out);
+
+/// Writes name.gp, which draws `body` (the plot commands) once as PNG and once as SVG of width × height pixels at
+/// column width (340 pixels = 86 mm; PNG at 3 times that, 300 dpi), and runs it. The body may use nothing outside `out`.
+void run_gnuplot(const std::filesystem::path& out, const std::string& name, const std::string& body, int width, int height);
+
+/// Writes style.gp, which every script loads, into `out`.
+void write_style(const std::filesystem::path& out);
+
+/// Writes text to a file whole. Throws IoError.
+void write_text(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace tt

@@ -1,0 +1,119 @@
+#include "report/figures.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "unit/invented_results.hpp"
+
+namespace tt {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool drew(const std::vector<Figure>& figures, const std::string& name) {
+    for (const Figure& figure : figures)
+        if (figure.name == name) return true;
+    return false;
+}
+
+TEST(Figures, each_has_png_svg_data_and_script) {
+    ScratchFolder scratch;
+    invent_results(scratch / "run");
+    const std::vector<Results> runs{read_results(scratch / "run")};
+    const std::vector<Figure> figures = draw_figures(runs, scratch / "figures");
+    for (const char* name : {"flow", "lambda_C", "deformation", "inclination", "mu_rel", "cell_free_layer", "area_error",
+                             "velocity_profile", "hematocrit_profile"})
+        EXPECT_TRUE(drew(figures, name)) << name;
+    for (const Figure& figure : figures) {
+        const fs::path stem = scratch / "figures" / figure.name;
+        EXPECT_EQ(text_of(stem.string() + ".png").substr(1, 3), "PNG") << figure.name;
+        EXPECT_GT(fs::file_size(stem.string() + ".png"), 5000u) << figure.name;
+        EXPECT_NE(text_of(stem.string() + ".svg").find("</svg>"), std::string::npos) << figure.name;
+        EXPECT_GT(fs::file_size(stem.string() + ".gp"), 0u);
+        const std::string data = figure.name == "flow" ? "flow_1_speed.dat" : figure.name + ".dat";
+        EXPECT_GT(fs::file_size(scratch / "figures" / data), 100u) << figure.name;
+        EXPECT_FALSE(figure.caption.empty());
+    }
+}
+
+TEST(Figures, several_runs_are_overlaid_with_their_names) {
+    ScratchFolder scratch;
+    invent_results(scratch / "first");
+    invent_results(scratch / "second", "--lambda-C 1.3");
+    const std::vector<Results> runs{read_results(scratch / "first"), read_results(scratch / "second")};
+    const std::vector<Figure> figures = draw_figures(runs, scratch / "figures");
+    EXPECT_TRUE(drew(figures, "lambda_C"));
+    EXPECT_FALSE(drew(figures, "flow"));
+    const std::string script = text_of(scratch / "figures" / "lambda_C.gp");
+    EXPECT_NE(script.find("'channel-500-LD (first)'"), std::string::npos);
+    EXPECT_NE(script.find("'channel-500-LD (second)'"), std::string::npos);
+}
+
+TEST(Figures, unfinished_run_gives_what_there_is) {
+    ScratchFolder scratch;
+    invent_results(scratch / "run", "--stage running --frames 5");
+    const Results run = read_results(scratch / "run");
+    EXPECT_FALSE(run.finished());
+    EXPECT_EQ(run.series.rows(), 59u) << "the line cut short is left out";
+    EXPECT_EQ(run.frames->count(), 4) << "the frame cut short is left out";
+    const std::vector<Figure> figures = draw_figures({&run, 1}, scratch / "figures");
+    EXPECT_TRUE(drew(figures, "flow"));
+    EXPECT_TRUE(drew(figures, "lambda_C"));
+    EXPECT_FALSE(drew(figures, "velocity_profile"));
+}
+
+TEST(Figures, run_that_just_started_has_no_figures) {
+    ScratchFolder scratch;
+    invent_results(scratch / "run", "--stage started");
+    const Results run = read_results(scratch / "run");
+    EXPECT_TRUE(draw_figures({&run, 1}, scratch / "figures").empty());
+}
+
+TEST(Results, directory_without_results_is_refused_by_name) {
+    ScratchFolder scratch;
+    fs::create_directory(scratch / "empty");
+    try {
+        read_results(scratch / "empty");
+        FAIL();
+    } catch (const IoError& error) {
+        EXPECT_NE(std::string(error.what()).find("holds no results"), std::string::npos);
+    }
+    EXPECT_THROW(read_results(scratch / "absent"), IoError);
+}
+
+TEST(Results, summary_window_and_settings_are_read) {
+    ScratchFolder scratch;
+    invent_results(scratch / "run");
+    const Results run = read_results(scratch / "run");
+    EXPECT_EQ(run.name, "channel-500-LD");
+    EXPECT_EQ(run.setting("flow.drive"), "pressure");
+    EXPECT_DOUBLE_EQ(setting_si(run.setting("domain.length")), 80e-6);
+    EXPECT_DOUBLE_EQ(run.window_begin, 40e-3);
+    EXPECT_DOUBLE_EQ(run.window_end, 80e-3);
+    const double stretch = window_mean(run, "lambda_C");
+    for (const SummaryLine& line : run.quantities)
+        if (line.name == "lambda_C") {
+            EXPECT_NEAR(line.mean, stretch, 1e-8);
+        }
+    EXPECT_TRUE(std::isnan(window_mean(run, "no such column")));
+}
+
+TEST(Frames, wrapping_moves_a_whole_cell_into_the_box) {
+    std::vector<Vec2> nodes{{25.0, 1.0}, {27.0, 2.0}, {26.0, 3.0}};
+    wrap_cell(nodes, 0, 3, 10.0);
+    EXPECT_EQ(nodes[0], (Vec2{5.0, 1.0}));
+    EXPECT_EQ(nodes[1], (Vec2{7.0, 2.0}));
+}
+
+TEST(Frames, nearest_frame_in_time_is_found) {
+    ScratchFolder scratch;
+    invent_results(scratch / "run", "--frames 9");
+    const Results run = read_results(scratch / "run");
+    EXPECT_EQ(run.frames->nearest(21e-3), 2);
+    EXPECT_EQ(chosen_frames(run), (std::vector<int>{0, 2, 4, 8}));
+}
+
+}  // namespace
+}  // namespace tt
