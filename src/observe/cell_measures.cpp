@@ -1,0 +1,119 @@
+#include "observe/cell_measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <variant>
+
+#include "observe/membrane_stress.hpp"
+
+namespace tt {
+namespace {
+
+std::span<const double> of_cell(const std::vector<double>& values, const Suspension& cells,
+                                int cell) {
+    return std::span(values).subspan(static_cast<std::size_t>(cells.first[cell]),
+                                     static_cast<std::size_t>(cells.node_count(cell)));
+}
+
+void measure_place(const Model& model, const State& state, int cell, CellMeasures& m) {
+    const Suspension& cells = state.cells;
+    const Outline shape = outline(cells, cell);
+    const auto ux = of_cell(cells.ux, cells, cell), uy = of_cell(cells.uy, cells, cell);
+    const Vec2 centroid = area_moments(shape).centroid;
+    const Scales& scales = model.scales;
+    m.x = scales.to_si<Length>(centroid.x);
+    m.y = scales.to_si<Length>(centroid.y);
+    m.velocity = scales.to_si<Velocity>(centroid_velocity(shape, ux, uy).x);
+    m.phase_rate = scales.to_si<Rate>(tank_treading_rate(shape, ux, uy));
+    m.wall_distance.si = std::numeric_limits<double>::quiet_NaN();
+    if (model.lattice.walls) {
+        const auto [low, high] = std::minmax_element(shape.y.begin(), shape.y.end());
+        m.wall_distance = scales.to_si<Length>(std::min(*low, model.lattice.ny - *high));
+    }
+}
+
+void measure_shape(const Scales& scales, const Suspension& cells, int cell, CellMeasures& m) {
+    const Outline shape = outline(cells, cell);
+    const AreaMoments moments = area_moments(shape);
+    const EquivalentEllipse ellipse = equivalent_ellipse(moments);
+    const RadiusRange radii = radius_range(shape, moments.centroid);
+    const double length = perimeter(shape);
+    m.area = scales.to_si<Area>(moments.area);
+    m.area_error = moments.area / cells.reference_area[cell] - 1.0;
+    m.perimeter = scales.to_si<Length>(length);
+    m.lambda_C = length / cells.reference_perimeter[cell];
+    m.strain = m.lambda_C - 1.0;
+    m.taylor_inertia = taylor_deformation(ellipse.major, ellipse.minor);
+    m.taylor_extent = taylor_deformation(radii.largest, radii.smallest);
+    m.inclination_deg = ellipse.inclination * 180.0 / std::numbers::pi;
+}
+
+void measure_stretch(const Suspension& cells, int cell, CellMeasures& m) {
+    const Outline shape = outline(cells, cell);
+    const auto rest = of_cell(cells.rest_length, cells, cell);
+    m.stretch_min = std::numeric_limits<double>::infinity();
+    m.stretch_max = 0.0;
+    for (int k = 0; k < shape.size(); ++k) {
+        const Vec2 end = shape[k + 1 == shape.size() ? 0 : k + 1];
+        const double stretch = norm(end - shape[k]) / rest[k];
+        m.stretch_min = std::min(m.stretch_min, stretch);
+        m.stretch_max = std::max(m.stretch_max, stretch);
+    }
+}
+
+/// Eq. 24, G* = τ_max L_C / E_s, with E_s the shear modulus of the in-plane law as it stands in Eq.
+/// 10 (small-strain slope 3 E_s). A pure number, so lattice units serve.
+void measure_stress(const Model& model, const State& state, const PlasmaMap& plasma, int cell,
+                    CellMeasures& m) {
+    const MembraneStress stress = membrane_stress(model, state, plasma, cell);
+    const double modulus =
+        std::visit([](const auto& law) { return law.shear_modulus; }, model.membrane.in_plane);
+    const double length = perimeter(outline(state.cells, cell));
+    m.stress_traction = model.scales.to_si<Pressure>(stress.traction);
+    m.stress_principal = model.scales.to_si<Pressure>(stress.principal);
+    m.shear_number_star_traction = stress.traction * length / modulus;
+    m.shear_number_star_principal = stress.principal * length / modulus;
+}
+
+}  // namespace
+
+double tank_treading_rate(const Outline& outline, std::span<const double> ux,
+                          std::span<const double> uy) {
+    const Vec2 centre = area_moments(outline).centroid;
+    const Vec2 drift = centroid_velocity(outline, ux, uy);
+    double sum = 0.0;
+    for (int k = 0; k < outline.size(); ++k) {
+        const Vec2 arm = outline[k] - centre;
+        sum += cross(arm, Vec2{ux[k], uy[k]} - drift) / dot(arm, arm);
+    }
+    return sum / outline.size();
+}
+
+CellMeasures measure_cell(const Model& model, const State& state, const PlasmaMap& plasma,
+                          int cell) {
+    CellMeasures m;
+    m.time = Time{static_cast<double>(state.step) * model.scales.time};
+    m.cell = cell;
+    measure_place(model, state, cell, m);
+    measure_shape(model.scales, state.cells, cell, m);
+    measure_stretch(state.cells, cell, m);
+    measure_stress(model, state, plasma, cell, m);
+    return m;
+}
+
+CellMeasures measure_cell(const Model& model, const State& state, int cell) {
+    return measure_cell(model, state, PlasmaMap(model.lattice, state.cells), cell);
+}
+
+std::vector<CellMeasures> measure_cells(const Model& model, const State& state) {
+    const PlasmaMap plasma(model.lattice, state.cells);
+    std::vector<CellMeasures> all;
+    for (int c = 0; c < state.cells.cell_count(); ++c) {
+        all.push_back(measure_cell(model, state, plasma, c));
+    }
+    return all;
+}
+
+}  // namespace tt

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "base/vec2.hpp"
+
+#include "fluid/boundaries.hpp"
+#include "fluid/relaxation.hpp"
+#include "grid/field.hpp"
+
+namespace tt {
+
+/// ∂u/∂x and ∂u/∂y at one place, per step.
+struct VelocityGradient {
+    Vec2 by_x;
+    Vec2 by_y;
+};
+
+/// A read-only look at the velocity field that knows what lies beyond its edges: the periodic image
+/// or the wall. Reads sites only, never the halo. Lattice units.
+class FlowView {
+public:
+    FlowView(const VectorField& velocity, const Boundaries& boundaries)
+        : velocity_(velocity), boundaries_(boundaries), lattice_(velocity.x.lattice()) {}
+
+    /// Column and row brought back into the box; y only where it is periodic.
+    int column(int i) const;
+    int row(int j) const;
+
+    /// At a site: central differences; in the rows next to a wall ∂u/∂y by the parabola through the
+    /// wall and two sites. Second order, exact for a quadratic field.
+    VelocityGradient at_site(int i, int j) const;
+
+    /// Bilinear between the four sites around `position`, from the 12 sites of `at_site` there.
+    /// Exact for a quadratic field. Precondition: with walls, ½ ≤ y ≤ ny − ½.
+    VelocityGradient at(Vec2 position) const;
+
+    /// ∂u_x/∂y on the wall above or below column i, by the parabola through the wall and two sites.
+    double at_bottom_wall(int i) const;
+    double at_top_wall(int i) const;
+
+private:
+    const VectorField& velocity_;
+    const Boundaries& boundaries_;
+    const Lattice& lattice_;
+};
+
+/// Largest shear rate at a place, in whatever direction: the difference of the principal rates of
+/// strain, √((e_xx − e_yy)² + 4 e_xy²); with ∇·u = 0 it is 2 √(e_xx² + e_xy²). It is k in u = k y.
+double principal_shear_rate(const VelocityGradient& gradient);
+
+/// Kinematic viscosity that a site's relaxation rate stands for, ν = (τ⁺ − ½)/3. Lattice units.
+double local_viscosity(const Relaxation& relaxation, int i, int j);
+
+}  // namespace tt

@@ -1,0 +1,72 @@
+#include "observe/membrane_stress.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "membrane/outline.hpp"
+
+namespace tt {
+namespace {
+
+/// Of the samples from the membrane, along the normal [sites].
+constexpr double first_distance = 3.0;
+constexpr double second_distance = 5.0;
+
+/// Whether all sites that FlowView::at reads are plasma, undisturbed by other cells.
+bool can_sample(const Lattice& lattice, const FlowView& flow, const PlasmaMap& plasma,
+                Vec2 position, int cell) {
+    if (lattice.walls && (position.y < 0.5 || position.y > lattice.ny - 0.5)) return false;
+    const int left = static_cast<int>(std::floor(position.x - 0.5));
+    const int below = static_cast<int>(std::floor(position.y - 0.5));
+    for (int dj = -1; dj <= 2; ++dj) {
+        const int j = flow.row(below + dj);
+        if (j < 0 || j >= lattice.ny) continue;  // the wall is read instead
+        const bool outer = dj == -1 || dj == 2;  // corners of the 4 × 4 block are not read
+        for (int di = outer ? 0 : -1; di <= (outer ? 1 : 2); ++di) {
+            if (!plasma.clear_of_others(flow.column(left + di), j, cell)) return false;
+        }
+    }
+    return true;
+}
+
+/// t·(∇u + ∇uᵀ)·n with t = n turned left.
+double tangential_shear_rate(const VelocityGradient& g, Vec2 n) {
+    const double twice_shear = g.by_x.y + g.by_y.x;
+    return 2.0 * n.x * n.y * (g.by_y.y - g.by_x.x) + (n.x * n.x - n.y * n.y) * twice_shear;
+}
+
+}  // namespace
+
+MembraneStress membrane_stress(const Model& model, const State& state, const PlasmaMap& plasma,
+                               int cell) {
+    const Lattice& lattice = model.lattice;
+    const Outline shape = outline(state.cells, cell);
+    const FlowView flow(state.velocity, model.boundaries);
+    const auto shear_rate = [&](int node, double distance) -> std::optional<double> {
+        const Vec2 n = outward_normal(shape, node);
+        const Vec2 position = shape[node] + distance * n;
+        if (!can_sample(lattice, flow, plasma, position, cell)) return std::nullopt;
+        return tangential_shear_rate(flow.at(position), n);
+    };
+    double traction = -1.0, principal = 0.0;
+    for (int k = 0; k < shape.size(); ++k) {
+        if (const auto first = shear_rate(k, first_distance)) {
+            const double slope_base = second_distance - first_distance;
+            const double second = shear_rate(k, second_distance).value_or(*first);
+            const double at_membrane =
+                (second_distance * *first - first_distance * second) / slope_base;
+            traction = std::max(traction, model.viscosity.plasma * std::abs(at_membrane));
+        }
+        const int i = flow.column(static_cast<int>(std::floor(shape.x[k])));
+        const int row = flow.row(static_cast<int>(std::floor(shape.y[k])));
+        const int j = std::clamp(row, 0, lattice.ny - 1);
+        const double rate = principal_shear_rate(flow.at_site(i, j));
+        principal = std::max(principal, local_viscosity(state.relaxation, i, j) * rate);
+    }
+    if (traction < 0.0) traction = std::numeric_limits<double>::quiet_NaN();
+    return {traction, principal};
+}
+
+}  // namespace tt

@@ -1,0 +1,199 @@
+#include "observe/run_measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "observe/cell_free_layer.hpp"
+#include "observe/flow_gradient.hpp"
+#include "observe/profiles.hpp"
+
+namespace tt {
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+bool walls_drive(const Model& model) {
+    return model.lattice.walls && model.boundaries.bottom_speed != model.boundaries.top_speed;
+}
+
+/// Mean over columns of ν ∂u_x/∂y on each wall.
+struct WallStress {
+    double bottom = 0.0;
+    double top = 0.0;
+};
+WallStress stress_at_walls(const Model& model, const State& state) {
+    const FlowView flow(state.velocity, model.boundaries);
+    const auto [nx, ny] = std::pair{model.lattice.nx, model.lattice.ny};
+    WallStress sum;
+    for (int i = 0; i < nx; ++i) {
+        sum.bottom += local_viscosity(state.relaxation, i, 0) * flow.at_bottom_wall(i);
+        sum.top += local_viscosity(state.relaxation, i, ny - 1) * flow.at_top_wall(i);
+    }
+    return {sum.bottom / nx, sum.top / nx};
+}
+
+double sum_over_sites(const Field& field) {
+    double sum = 0.0;
+    for (int j = 0; j < field.lattice().ny; ++j) {
+        double of_row = 0.0;
+        for (int i = 0; i < field.lattice().nx; ++i) of_row += field(i, j);
+        sum += of_row;
+    }
+    return sum;
+}
+
+void measure_flow(const Model& model, const State& state, RunMeasures& m) {
+    const Scales& scales = model.scales;
+    const double width = model.lattice.ny;
+    const double q = flux(model, state);
+    const double gradient = driving_gradient(model, state);
+    m.flux = scales.to_si<KinematicViscosity>(q);
+    m.mean_velocity = scales.to_si<Velocity>(q / width);
+    m.pseudo_shear_rate = scales.to_si<Rate>(q / (width * width));
+    m.pressure_gradient = scales.to_si<PressureGradient>(gradient);
+    double viscosity = undefined;
+    if (model.lattice.walls) {
+        const double stress = wall_shear_stress(model, state);
+        m.wall_shear_stress = scales.to_si<Pressure>(stress);
+        m.balance_shear_stress = scales.to_si<Pressure>(balance_shear_stress(model, state));
+        const Boundaries& walls = model.boundaries;
+        if (walls_drive(model)) {
+            viscosity = stress * width / (walls.top_speed - walls.bottom_speed);
+        } else if (gradient != 0.0) {
+            viscosity = gradient * width * width * width / (12.0 * q);
+        }
+    } else {
+        m.wall_shear_stress.si = m.balance_shear_stress.si = undefined;
+    }
+    m.mu_app = scales.to_si<Viscosity>(viscosity);
+    m.mu_rel = viscosity / model.viscosity.plasma;
+}
+
+double largest_speed(const VectorField& velocity) {
+    double square = 0.0;
+    const Lattice& lattice = velocity.x.lattice();
+    for (int j = 0; j < lattice.ny; ++j) {
+        for (int i = 0; i < lattice.nx; ++i) {
+            square = std::max(square, dot(velocity(i, j), velocity(i, j)));
+        }
+    }
+    return std::sqrt(square);
+}
+
+/// Σ A / (length × width), and Σ A_c v_c / length over the flux.
+void measure_hematocrit(const Model& model, std::span<const CellMeasures> cells, RunMeasures& m) {
+    double area = 0.0, carried = 0.0;
+    for (const CellMeasures& c : cells) {
+        area += c.area.si;
+        carried += c.area.si * c.velocity.si;
+    }
+    const double length = model.lattice.nx * model.scales.length;
+    m.hematocrit_tube = area / (length * model.lattice.ny * model.scales.length);
+    const bool carries = !walls_drive(model) && m.flux.si != 0.0;
+    m.hematocrit_discharge = carries ? carried / length / m.flux.si : undefined;
+}
+
+template <class Value>
+double mean_over(std::span<const CellMeasures> cells, Value value) {
+    double sum = 0.0;
+    for (const CellMeasures& c : cells) sum += value(c);
+    return cells.empty() ? undefined : sum / static_cast<double>(cells.size());
+}
+
+void measure_shapes(std::span<const CellMeasures> cells, RunMeasures& m) {
+    using C = CellMeasures;
+    m.lambda_C = mean_over(cells, [](const C& c) { return c.lambda_C; });
+    m.strain = m.lambda_C - 1.0;
+    m.taylor_inertia = mean_over(cells, [](const C& c) { return c.taylor_inertia; });
+    m.taylor_extent = mean_over(cells, [](const C& c) { return c.taylor_extent; });
+    // An axis has no head: +89° and −89° are neighbours, so the doubled angle is averaged.
+    const double doubled = std::numbers::pi / 90.0;
+    const auto sine = [=](const C& c) { return std::sin(doubled * c.inclination_deg); };
+    const auto cosine = [=](const C& c) { return std::cos(doubled * c.inclination_deg); };
+    m.inclination_deg = std::atan2(mean_over(cells, sine), mean_over(cells, cosine)) / doubled;
+    double squares = 0.0;
+    m.area_error_max = 0.0;
+    for (const C& c : cells) {
+        squares += (c.lambda_C - m.lambda_C) * (c.lambda_C - m.lambda_C);
+        m.area_error_max = std::max(m.area_error_max, std::abs(c.area_error));
+    }
+    const double freedom = static_cast<double>(cells.size()) - 1.0;
+    m.lambda_C_sd = freedom > 0.0 ? std::sqrt(squares / freedom) : 0.0;
+}
+
+void measure_layers(const Model& model, const State& state, RunMeasures& m) {
+    const auto set = [&](CellFreeLayer layer, Length& bottom, Length& top, Length& mean) {
+        bottom = model.scales.to_si<Length>(layer.bottom);
+        top = model.scales.to_si<Length>(layer.top);
+        mean = model.scales.to_si<Length>(layer.mean());
+    };
+    const Lattice& lattice = model.lattice;
+    std::vector<double> hematocrit;  // left empty, hence undefined layers, where there are no walls
+    if (lattice.walls) hematocrit = hematocrit_profile(lattice, state.cells);
+    set(cfl_gap(lattice, state.cells), m.cfl_gap_bottom, m.cfl_gap_top, m.cfl_gap);
+    set(cfl_envelope(lattice, state.cells), m.cfl_envelope_bottom, m.cfl_envelope_top,
+        m.cfl_envelope);
+    set(cfl_profile(hematocrit), m.cfl_profile_bottom, m.cfl_profile_top, m.cfl_profile);
+    set(cfl_core(hematocrit), m.cfl_core_bottom, m.cfl_core_top, m.cfl_core);
+}
+
+}  // namespace
+
+double flux(const Model& model, const State& state) {
+    double sum = sum_over_sites(state.velocity.x);
+    if (model.lattice.walls) {
+        const FlowView flow(state.velocity, model.boundaries);
+        for (int i = 0; i < model.lattice.nx; ++i) {
+            sum += (flow.at_top_wall(i) - flow.at_bottom_wall(i)) / 24.0;
+        }
+    }
+    return sum / model.lattice.nx;
+}
+
+double driving_gradient(const Model& model, const State& state) {
+    return state.drive.body_force + model.boundaries.pressure_drop / model.lattice.nx;
+}
+
+double wall_shear_stress(const Model& model, const State& state) {
+    const WallStress stress = stress_at_walls(model, state);
+    return 0.5 * (stress.bottom + (walls_drive(model) ? stress.top : -stress.top));
+}
+
+double balance_shear_stress(const Model& model, const State& state) {
+    const Lattice& lattice = model.lattice;
+    if (!walls_drive(model)) return 0.5 * lattice.ny * driving_gradient(model, state);
+    const FlowView flow(state.velocity, model.boundaries);
+    double viscous = 0.0, of_forces = 0.0;
+    for (int j = 0; j < lattice.ny; ++j) {
+        for (int i = 0; i < lattice.nx; ++i) {
+            const VelocityGradient g = flow.at_site(i, j);
+            viscous += local_viscosity(state.relaxation, i, j) * (g.by_y.x + g.by_x.y);
+        }
+    }
+    // About the mid-height, so that a net force (of cells on walls, say) weighs on both walls
+    // alike.
+    const Suspension& cells = state.cells;
+    for (int n = 0; n < cells.node_count(); ++n) {
+        of_forces += cells.fx[n] * (cells.y[n] - 0.5 * lattice.ny);
+    }
+    return (viscous - of_forces) / (static_cast<double>(lattice.nx) * lattice.ny);
+}
+
+RunMeasures measure_run(const Model& model, const State& state,
+                        std::span<const CellMeasures> cells) {
+    RunMeasures m;
+    m.time = Time{static_cast<double>(state.step) * model.scales.time};
+    m.step = state.step;
+    measure_flow(model, state, m);
+    measure_hematocrit(model, cells, m);
+    measure_shapes(cells, m);
+    measure_layers(model, state, m);
+    m.mach = largest_speed(state.velocity) * std::numbers::sqrt3;
+    m.repulsion_count = state.contact.repulsion_count;
+    m.smallest_gap = model.scales.to_si<Length>(state.contact.smallest_gap);
+    return m;
+}
+
+}  // namespace tt
