@@ -34,7 +34,8 @@ struct Symbol {
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
-/// mmHg is the conventional millimetre of mercury, 133.322387415 Pa (BIPM, SI Brochure, 8th ed., table 8).
+/// mmHg is the conventional millimetre of mercury, 133.322387415 Pa (BIPM, SI Brochure, 8th ed.,
+/// table 8).
 constexpr std::array symbols{
     Symbol{"m", {{0, 1, 0}}, Symbol::takes_prefix},
     Symbol{"g", {{1, 0, 0}, -3}, Symbol::takes_prefix},
@@ -62,8 +63,9 @@ struct Prefix {
     char letter;
     int exponent;
 };
-constexpr std::array prefixes{Prefix{'f', -15}, Prefix{'p', -12}, Prefix{'n', -9}, Prefix{'u', -6}, Prefix{'m', -3},
-                              Prefix{'c', -2},  Prefix{'k', 3},   Prefix{'M', 6},  Prefix{'G', 9}};
+constexpr std::array prefixes{Prefix{'f', -15}, Prefix{'p', -12}, Prefix{'n', -9},
+                              Prefix{'u', -6},  Prefix{'m', -3},  Prefix{'c', -2},
+                              Prefix{'k', 3},   Prefix{'M', 6},   Prefix{'G', 9}};
 
 /// What people write for a unit that has another symbol here.
 struct Alias {
@@ -71,10 +73,11 @@ struct Alias {
     std::string_view symbol;
 };
 constexpr std::array aliases{
-    Alias{"micron", "um"}, Alias{"microns", "um"}, Alias{"mum", "um"},  Alias{"mu", "um"},    Alias{"sec", "s"},
-    Alias{"second", "s"},  Alias{"seconds", "s"},  Alias{"msec", "ms"}, Alias{"usec", "us"},  Alias{"mPas", "mPa s"},
-    Alias{"Pas", "Pa s"},  Alias{"Pa.s", "Pa s"},  Alias{"dyne", "dyn"}, Alias{"dynes", "dyn"}, Alias{"cp", "cP"},
-    Alias{"percent", "%"}, Alias{"degree", "deg"}, Alias{"degrees", "deg"}, Alias{"hour", "h"}, Alias{"l", "L"},
+    Alias{"micron", "um"},  Alias{"microns", "um"},  Alias{"mum", "um"},    Alias{"mu", "um"},
+    Alias{"sec", "s"},      Alias{"second", "s"},    Alias{"seconds", "s"}, Alias{"msec", "ms"},
+    Alias{"usec", "us"},    Alias{"mPas", "mPa s"},  Alias{"Pas", "Pa s"},  Alias{"Pa.s", "Pa s"},
+    Alias{"dyne", "dyn"},   Alias{"dynes", "dyn"},   Alias{"cp", "cP"},     Alias{"percent", "%"},
+    Alias{"degree", "deg"}, Alias{"degrees", "deg"}, Alias{"hour", "h"},    Alias{"l", "L"},
 };
 
 /// The dimensions people name, and the units they use for them; the SI unit stands first.
@@ -112,7 +115,8 @@ const Customary* find_customary(Dimension dimension) {
 }
 
 std::uint64_t product(std::uint64_t a, std::uint64_t b) {
-    constexpr std::uint64_t limit = std::uint64_t{1} << 59;   // times a digit, plus carry, still fits 64 bits
+    constexpr std::uint64_t limit = std::uint64_t{1}
+                                    << 59;  // times a digit, plus carry, still fits 64 bits
     if (a != 0 && b > limit / a) throw UnitError("a unit this large or small has no use here");
     return a * b;
 }
@@ -151,26 +155,32 @@ std::optional<Unit> find_unit(std::string_view name) {
 std::string unknown_unit(std::string_view name) {
     for (const Alias& a : aliases)
         if (a.name == name) return fmt::format("unknown unit '{}'; write '{}'", name, a.symbol);
-    std::vector<std::string_view> known{"um", "nm", "mm", "cm", "ms", "us", "cP", "mPa", "kPa", "kg", "uN", "mN", "pN"};
-    for (const Symbol& s : symbols) known.push_back(s.name);
-    if (const auto near = closest(name, known)) return fmt::format("unknown unit '{}'; did you mean '{}'?", name, *near);
+    std::vector<std::string_view> known{"um",  "nm",  "mm", "cm", "ms", "us", "cP",
+                                        "mPa", "kPa", "kg", "uN", "mN", "pN"};
+    for (const Symbol& s : symbols)
+        known.push_back(s.name);
+    if (const auto near = closest(name, known))
+        return fmt::format("unknown unit '{}'; did you mean '{}'?", name, *near);
     return fmt::format("unknown unit '{}'", name);
 }
 
-/// Recursive descent over: unit = ["/"] factor { ("*" | " " | "/") factor }; factor = symbol [["^"] power] | "(" unit ")".
+/// Recursive descent over: unit = ["/"] factor { ("*" | " " | "/") factor }; factor = symbol [["^"]
+/// power] | "(" unit ")".
 class UnitParser {
 public:
     explicit UnitParser(std::string_view text) : text_(text) {}
 
     Unit parse() {
         const Unit u = parse_product(0);
-        if (position_ < text_.size()) throw UnitError(fmt::format("'{}' is not expected in a unit", text_[position_]));
+        if (position_ < text_.size())
+            throw UnitError(fmt::format("'{}' is not expected in a unit", text_[position_]));
         return u;
     }
 
 private:
     void skip_spaces() {
-        while (position_ < text_.size() && text_[position_] == ' ') ++position_;
+        while (position_ < text_.size() && text_[position_] == ' ')
+            ++position_;
     }
     bool at_end() const { return position_ >= text_.size() || text_[position_] == ')'; }
 
@@ -181,13 +191,15 @@ private:
         skip_spaces();
         for (bool first = true; first || !at_end(); first = false) {
             int sign = 1;
-            if (position_ < text_.size() && (text_[position_] == '/' || (text_[position_] == '*' && !first))) {
+            if (position_ < text_.size() &&
+                (text_[position_] == '/' || (text_[position_] == '*' && !first))) {
                 sign = text_[position_++] == '/' ? -1 : 1;
                 skip_spaces();
             }
             // a/b c is read as (a/b)·c by some and a/(b c) by others.
             if (divided && sign > 0)
-                throw UnitError("what stands under '/' is ambiguous; write brackets, as in kg/(m s)");
+                throw UnitError(
+                    "what stands under '/' is ambiguous; write brackets, as in kg/(m s)");
             divided = divided || sign < 0;
             u = times(u, parse_factor(depth), sign);
             skip_spaces();
@@ -210,9 +222,11 @@ private:
 
     Unit parse_symbol() {
         const std::size_t begin = position_;
-        if (position_ < text_.size() && (text_[position_] == '%' || text_[position_] == '1')) ++position_;
+        if (position_ < text_.size() && (text_[position_] == '%' || text_[position_] == '1'))
+            ++position_;
         else
-            while (position_ < text_.size() && is_letter(text_[position_])) ++position_;
+            while (position_ < text_.size() && is_letter(text_[position_]))
+                ++position_;
         const std::string_view name = text_.substr(begin, position_ - begin);
         if (name.empty() && position_ < text_.size())
             throw UnitError(fmt::format("'{}' is not expected in a unit", text_[position_]));
@@ -225,8 +239,10 @@ private:
 
     int parse_power() {
         std::size_t p = position_;
-        if (p < text_.size() && text_[p] == '^') ++p;
-        else if (p >= text_.size() || text_[p] < '2' || text_[p] > '9') return 1;
+        if (p < text_.size() && text_[p] == '^')
+            ++p;
+        else if (p >= text_.size() || text_[p] < '2' || text_[p] > '9')
+            return 1;
         int power = 0;
         const char* begin = text_.data() + p;
         const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), power);
@@ -264,7 +280,8 @@ Decimal to_decimal(std::string_view number) {
         const char* begin = number.data() + i + 1 + (number[i + 1] == '+' ? 1 : 0);
         long e = 0;
         const auto [end, error] = std::from_chars(begin, number.data() + number.size(), e);
-        if (error != std::errc() || std::labs(e) > 1000) throw UnitError("the number is too large or too small");
+        if (error != std::errc() || std::labs(e) > 1000)
+            throw UnitError("the number is too large or too small");
         static_cast<void>(end);
         d.exponent += e;
     }
@@ -283,11 +300,13 @@ std::string multiply(const std::string& digits, std::uint64_t factor) {
     return {result.rbegin(), result.rend()};
 }
 
-/// The double nearest to `number` in `unit`: one rounding unless the unit has a denominator or a degree in it.
+/// The double nearest to `number` in `unit`: one rounding unless the unit has a denominator or a
+/// degree in it.
 double to_si(std::string_view number, const Unit& unit) {
     Decimal d = to_decimal(number);
     if (unit.numerator != 1) d.digits = multiply(d.digits, unit.numerator);
-    const std::string text = fmt::format("{}{}e{}", d.negative ? "-" : "", d.digits, d.exponent + unit.exponent);
+    const std::string text =
+        fmt::format("{}{}e{}", d.negative ? "-" : "", d.digits, d.exponent + unit.exponent);
     double si = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), si);
     static_cast<void>(end);
@@ -299,16 +318,21 @@ double to_si(std::string_view number, const Unit& unit) {
 std::string shifted_text(double number, int shift) {
     if (number == 0.0) return "0";
     std::array<char, 40> buffer{};
-    const auto done = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number, std::chars_format::scientific);
-    const Decimal d = to_decimal({buffer.data(), static_cast<std::size_t>(done.ptr - buffer.data())});
+    const auto done = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
+                                    std::chars_format::scientific);
+    const Decimal d =
+        to_decimal({buffer.data(), static_cast<std::size_t>(done.ptr - buffer.data())});
     const long count = static_cast<long>(d.digits.size());
-    const long point = d.exponent - shift + count;   // digits before the decimal point
+    const long point = d.exponent - shift + count;  // digits before the decimal point
     const std::string sign = d.negative ? "-" : "";
     if (point > 7 || point < -3) {
-        return fmt::format("{}{}{}{}e{}", sign, d.digits[0], count > 1 ? "." : "", d.digits.substr(1), point - 1);
+        return fmt::format("{}{}{}{}e{}", sign, d.digits[0], count > 1 ? "." : "",
+                           d.digits.substr(1), point - 1);
     }
-    if (point <= 0) return sign + "0." + std::string(static_cast<std::size_t>(-point), '0') + d.digits;
-    if (point >= count) return sign + d.digits + std::string(static_cast<std::size_t>(point - count), '0');
+    if (point <= 0)
+        return sign + "0." + std::string(static_cast<std::size_t>(-point), '0') + d.digits;
+    if (point >= count)
+        return sign + d.digits + std::string(static_cast<std::size_t>(point - count), '0');
     return sign + d.digits.substr(0, static_cast<std::size_t>(point)) + "." +
            d.digits.substr(static_cast<std::size_t>(point));
 }
@@ -317,7 +341,8 @@ std::string joined(const std::string& number, std::string_view unit) {
     return unit.empty() ? number : fmt::format("{} {}", number, unit);
 }
 
-/// The fewest digits in a unit that is no power of ten (min, h, deg) that read back to the same bits; empty if none do.
+/// The fewest digits in a unit that is no power of ten (min, h, deg) that read back to the same
+/// bits; empty if none do.
 std::string searched_text(double si, const Unit& unit, std::string_view name) {
     const double factor = to_si("1", unit);
     for (int digits = 1; digits <= 17; ++digits) {
@@ -332,7 +357,8 @@ std::string searched_text(double si, const Unit& unit, std::string_view name) {
 std::size_t number_length(std::string_view text) {
     const auto digits = [&](std::size_t at) {
         std::size_t n = 0;
-        while (at + n < text.size() && std::isdigit(static_cast<unsigned char>(text[at + n]))) ++n;
+        while (at + n < text.size() && std::isdigit(static_cast<unsigned char>(text[at + n])))
+            ++n;
         return n;
     };
     std::size_t i = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
@@ -345,21 +371,26 @@ std::size_t number_length(std::string_view text) {
     }
     if (whole + fraction == 0) return 0;
     if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
-        const std::size_t sign = i + 1 < text.size() && (text[i + 1] == '+' || text[i + 1] == '-') ? 1 : 0;
+        const std::size_t sign =
+            i + 1 < text.size() && (text[i + 1] == '+' || text[i + 1] == '-') ? 1 : 0;
         if (const std::size_t power = digits(i + 1 + sign)) i += 1 + sign + power;
     }
     return i;
 }
 
 Measure parse_measure(std::string_view text) {
-    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    while (!text.empty() && text.front() == ' ')
+        text.remove_prefix(1);
+    while (!text.empty() && text.back() == ' ')
+        text.remove_suffix(1);
     if (text.size() > 200) throw UnitError("is too long for a number with a unit");
     const std::size_t length = number_length(text);
     if (length == 0) throw UnitError("does not start with a number");
-    if (length < text.size() && text[length] == ',') throw UnitError("has a decimal comma; write a point");
+    if (length < text.size() && text[length] == ',')
+        throw UnitError("has a decimal comma; write a point");
     std::string_view rest = text.substr(length);
-    while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
+    while (!rest.empty() && rest.front() == ' ')
+        rest.remove_prefix(1);
     const Unit unit = rest.empty() ? Unit{} : UnitParser(rest).parse();
     return {to_si(text.substr(0, length), unit), unit.dimension};
 }
@@ -369,7 +400,8 @@ std::string to_text(double number) { return shifted_text(number, 0); }
 std::string to_text(double si, std::string_view name) {
     if (name.empty()) return to_text(si);
     const Unit unit = UnitParser(name).parse();
-    const bool power_of_ten = unit.numerator == 1 && unit.denominator == 1 && unit.irrational == 1.0;
+    const bool power_of_ten =
+        unit.numerator == 1 && unit.denominator == 1 && unit.irrational == 1.0;
     if (power_of_ten) return joined(shifted_text(si, unit.exponent), name);
     const std::string text = searched_text(si, unit, name);
     return text.empty() ? joined(to_text(si), si_unit(unit.dimension)) : text;
@@ -384,6 +416,13 @@ std::string to_text(double si, Dimension dimension) {
         if (value >= 0.1 && value < 1000.0) return to_text(si, unit);
     }
     return joined(to_text(si), c->units[0]);
+}
+
+std::string rounded_text(double si, Dimension dimension, int digits) {
+    const std::string text = fmt::format("{:.{}e}", si, digits - 1);
+    double rounded = si;
+    std::from_chars(text.data(), text.data() + text.size(), rounded);
+    return to_text(rounded, dimension);
 }
 
 std::string dimension_name(Dimension dimension) {

@@ -7,18 +7,20 @@
 
 namespace tt {
 
-/// How many letters must be added, dropped, changed or swapped with their neighbour to make `b` of `a`
-/// (Damerau–Levenshtein, optimal alignment).
+/// How many letters must be added, dropped, changed or swapped with their neighbour to make `b` of
+/// `a` (Damerau–Levenshtein, optimal alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate that `word` was probably meant to be: at most a third of its letters wrong, or one that begins or ends
-/// with it. Nothing if none is near.
-std::optional<std::string_view> closest(std::string_view word, const std::vector<std::string_view>& candidates);
+/// The candidate that `word` was probably meant to be: at most a third of its letters wrong, or one
+/// that begins or ends with it. Nothing if none is near.
+std::optional<std::string_view> closest(std::string_view word,
+                                        const std::vector<std::string_view>& candidates);
 
 /// "a|b|c" cut at the bars.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
-/// `text` broken at spaces into lines of at most `width` letters; lines after the first begin with `indent` spaces.
+/// `text` broken at spaces into lines of at most `width` letters; lines after the first begin with
+/// `indent` spaces.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0);
 
 }  // namespace tt

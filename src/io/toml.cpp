@@ -12,9 +12,9 @@
 namespace tt {
 namespace {
 
-/// toml++ 3.3.0 asserts on texts such as `[@ase]`; an exception takes the place of abort(). With NDEBUG it would drop
-/// its asserts, and read memory that is not its own.
-[[noreturn]] void parser_gave_up() { throw std::runtime_error("not TOML"); }
+/// toml++ 3.3.0 asserts on texts such as `[@ase]`; an exception takes the place of abort(). With
+/// NDEBUG it would drop its asserts, and read memory that is not its own.
+[[noreturn]] void parser_gave_up() { throw std::runtime_error("this line cannot be read"); }
 
 }  // namespace
 }  // namespace tt
@@ -39,9 +39,10 @@ void convert_table(const toml::table& table, TomlNode& result) {
         entry.value = converted(value);
         result.entries.push_back(std::move(entry));
     }
-    std::sort(result.entries.begin(), result.entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
-        return std::pair(a.line, a.column) < std::pair(b.line, b.column);
-    });
+    std::sort(result.entries.begin(), result.entries.end(),
+              [](const TomlEntry& a, const TomlEntry& b) {
+                  return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+              });
 }
 
 TomlNode converted(const toml::node& node) {
@@ -53,7 +54,8 @@ TomlNode converted(const toml::node& node) {
         convert_table(*table, result);
     } else if (const auto* array = node.as_array()) {
         result.kind = Kind::array;
-        for (const toml::node& item : *array) result.items.push_back(converted(item));
+        for (const toml::node& item : *array)
+            result.items.push_back(converted(item));
     } else if (const auto* text = node.as_string()) {
         result.kind = Kind::string;
         result.text = text->get();
@@ -88,9 +90,7 @@ Attempt attempt(const std::string& text, const std::string& name) {
         const auto& where = error.source().begin;
         result.fault = {name, static_cast<int>(where.line), static_cast<int>(where.column),
                         std::string(error.description())};
-    } catch (const std::exception& error) {
-        result.fault = {name, 0, 0, error.what()};
-    }
+    } catch (const std::exception& error) { result.fault = {name, 0, 0, error.what()}; }
     return result;
 }
 
@@ -130,9 +130,11 @@ std::string reworded(const std::string& message, std::string_view line) {
     if (equals != std::string_view::npos && line.find_first_of("\"'[{") == std::string_view::npos) {
         std::size_t value = line.find_first_not_of(" \t", equals + 1);
         std::size_t end = std::min(line.find('#'), line.size());
-        while (end > 0 && (line[end - 1] == ' ' || line[end - 1] == '\t' || line[end - 1] == '\r')) --end;
+        while (end > 0 && (line[end - 1] == ' ' || line[end - 1] == '\t' || line[end - 1] == '\r'))
+            --end;
         if (value < end)
-            return fmt::format("this value needs quotes: write \"{}\"", line.substr(value, end - value));
+            return fmt::format("this value needs quotes: write \"{}\"",
+                               line.substr(value, end - value));
     }
     const std::size_t colon = message.find(": ");
     return "not TOML: " + (colon == std::string::npos ? message : message.substr(colon + 2));
@@ -167,9 +169,11 @@ TomlText parse_toml(std::string_view given, const std::string& name) {
         const auto [begin, end] = line_bounds(ascii.text, a.fault.line);
         const std::string line = ascii.text.substr(begin, end - begin);
         if (a.fault.line <= previous || line.find_first_not_of(" \t\r") == std::string::npos) {
-            // The line is already out, or says nothing: what is open began further up and cannot be mended here.
+            // The line is already out, or says nothing: what is open began further up and cannot be
+            // mended here.
             if (result.faults.empty())
-                result.faults.push_back({name, a.fault.line, a.fault.column, reworded(a.fault.message, line)});
+                result.faults.push_back(
+                    {name, a.fault.line, a.fault.column, reworded(a.fault.message, line)});
             return result;
         }
         a.fault.message = reworded(a.fault.message, line);
@@ -197,12 +201,13 @@ TomlNode parse_toml_value(const std::string& text) {
     return value;
 }
 
-std::string quoted(std::string_view text) {
+std::string toml_string(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') result += '\\';
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-            result += fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+            result +=
+                fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
         else
             result += c;
     }

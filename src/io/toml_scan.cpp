@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t size_limit = std::size_t{1} << 20;
 
 struct Letter {
-    std::uint32_t code = 0;   ///< 0: not UTF-8
+    std::uint32_t code = 0;  ///< 0: not UTF-8
     std::size_t bytes = 1;
 };
 
@@ -37,18 +37,31 @@ struct Advice {
     std::string_view write;
 };
 constexpr std::array advices{
-    Advice{0xb2, "'^2'"}, Advice{0xb3, "'^3'"}, Advice{0xb7, "a space or '*'"}, Advice{0x22c5, "a space or '*'"},
-    Advice{0xd7, "'*'"},  Advice{0xb0, "' deg'"}, Advice{0x2212, "'-'"}, Advice{0x2013, "'-'"},
-    Advice{0x207b, "'^-1' or '/'"}, Advice{0x201c, "'\"'"}, Advice{0x201d, "'\"'"}, Advice{0x2018, "'"}, Advice{0x2019, "'"},
-    Advice{0xa0, "a plain space"}, Advice{0x202f, "a plain space"}, Advice{0x2009, "a plain space"},
+    Advice{0xb2, "'^2'"},
+    Advice{0xb3, "'^3'"},
+    Advice{0xb7, "a space or '*'"},
+    Advice{0x22c5, "a space or '*'"},
+    Advice{0xd7, "'*'"},
+    Advice{0xb0, "' deg'"},
+    Advice{0x2212, "'-'"},
+    Advice{0x2013, "'-'"},
+    Advice{0x207b, "'^-1' or '/'"},
+    Advice{0x201c, "'\"'"},
+    Advice{0x201d, "'\"'"},
+    Advice{0x2018, "'"},
+    Advice{0x2019, "'"},
+    Advice{0xa0, "a plain space"},
+    Advice{0x202f, "a plain space"},
+    Advice{0x2009, "a plain space"},
 };
 
 std::string refusal(const Letter& letter, std::string_view bytes) {
-    if (letter.code == 0)
-        return "this byte is not UTF-8; save the file as UTF-8";
-    if (letter.code < 0x20 || letter.code == 0x7f) return fmt::format("control character 0x{:02x} in the text", letter.code);
+    if (letter.code == 0) return "this byte is not UTF-8; save the file as UTF-8";
+    if (letter.code < 0x20 || letter.code == 0x7f)
+        return fmt::format("control character 0x{:02x} in the text", letter.code);
     for (const Advice& a : advices)
-        if (a.code == letter.code) return fmt::format("'{}' is not ASCII; write {}", bytes, a.write);
+        if (a.code == letter.code)
+            return fmt::format("'{}' is not ASCII; write {}", bytes, a.write);
     return fmt::format("'{}' is not ASCII; such letters may stand in comments only", bytes);
 }
 
@@ -63,8 +76,9 @@ public:
             return 1;
         }
         if (quote_ == 0) return begin(rest);
-        if (c == '\\' && quote_ == '"' && rest.size() > 1 && rest[1] >= ' ' && rest[1] < 0x7f) return 2;
-        if (c == '\n' && length_ == 1) quote_ = 0;   // not closed: the parser tells
+        if (c == '\\' && quote_ == '"' && rest.size() > 1 && rest[1] >= ' ' && rest[1] < 0x7f)
+            return 2;
+        if (c == '\n' && length_ == 1) quote_ = 0;  // not closed: the parser tells
         if (c != quote_ || rest.substr(0, length_) != std::string(length_, quote_)) return 1;
         quote_ = 0;
         return length_;
@@ -91,7 +105,9 @@ private:
 AsciiText to_ascii(std::string_view text, const std::string& name) {
     AsciiText result;
     if (text.size() > size_limit) {
-        result.faults.push_back({name, 1, 1, fmt::format("has {} MB; a case file has a few kB", text.size() / 1000000)});
+        result.faults.push_back(
+            {name, 1, 1,
+             fmt::format("has {} MB; a case file has a few kB", text.size() / 1000000)});
         return result;
     }
     if (text.substr(0, 2) == "\xff\xfe" || text.substr(0, 2) == "\xfe\xff") {
@@ -102,10 +118,11 @@ AsciiText to_ascii(std::string_view text, const std::string& name) {
     Context context;
     int line = 1;
     int column = 1;
-    int told_line = 0;   // one fault a line is enough
+    int told_line = 0;  // one fault a line is enough
     while (!text.empty()) {
         const Letter letter = decode(text);
-        const bool plain = (letter.code >= 0x20 && letter.code < 0x7f) || letter.code == '\n' || letter.code == '\t' ||
+        const bool plain = (letter.code >= 0x20 && letter.code < 0x7f) || letter.code == '\n' ||
+                           letter.code == '\t' ||
                            (letter.code == '\r' && text.substr(0, 2) == "\r\n");
         if (plain) {
             const std::size_t count = context.pass(text);
@@ -117,7 +134,8 @@ AsciiText to_ascii(std::string_view text, const std::string& name) {
         }
         const bool micro = letter.code == 0xb5 || letter.code == 0x3bc;
         if (!micro && !context.in_comment() && told_line != line) {
-            result.faults.push_back({name, line, column, refusal(letter, text.substr(0, letter.bytes))});
+            result.faults.push_back(
+                {name, line, column, refusal(letter, text.substr(0, letter.bytes))});
             told_line = line;
         }
         result.text += micro ? 'u' : '?';

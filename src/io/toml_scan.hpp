@@ -14,8 +14,9 @@ struct AsciiText {
     std::vector<Fault> faults;
 };
 
-/// Maps µ and μ to u, every other letter beyond ASCII in a comment to '?', and makes a fault of it elsewhere: one
-/// letter stays one column. Drops a UTF-8 byte order mark. Texts beyond 1 MiB, UTF-16 and control characters are faults.
+/// Maps µ and μ to u, every other letter beyond ASCII in a comment to '?', and makes a fault of it
+/// elsewhere: one letter stays one column. Drops a UTF-8 byte order mark. Texts beyond 1 MiB,
+/// UTF-16 and control characters are faults.
 AsciiText to_ascii(std::string_view text, const std::string& name);
 
 }  // namespace tt

@@ -1,0 +1,354 @@
+#include "case/validate.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/units.hpp"
+
+namespace tt {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// Tension at which the membrane of a red cell bursts, 6.5 mN/m: the order of Evans et al. (1976),
+/// who found 10 mN/m.
+constexpr double lysis_tension = 6.5e-3;
+
+/// Collects faults at the places of the keys they are about.
+class Judge {
+public:
+    Judge(const Places& places, const std::string& file) : places_(places), file_(file) {}
+
+    bool given(std::string_view path) const { return places_.find(path) != places_.end(); }
+
+    /// Whether any key of a table was given.
+    bool given_any(std::string_view table) const {
+        const auto it = places_.lower_bound(table);
+        return it != places_.end() && it->first.substr(0, table.size()) == table;
+    }
+
+    /// A fault at the first of `paths` that was given; else of the file as a whole.
+    void tell(std::initializer_list<std::string_view> paths, std::string message) {
+        Fault fault{file_, 0, 0, {}};
+        for (const std::string_view path : paths) {
+            const auto it = places_.find(path);
+            if (it == places_.end()) continue;
+            fault = it->second;
+            break;
+        }
+        fault.message = std::move(message);
+        faults.push_back(std::move(fault));
+    }
+
+    /// A key that means nothing here.
+    void forbid(std::string_view path, const std::string& why) {
+        if (given(path))
+            tell({path}, fmt::format("{} means nothing {}; leave it out", key(path), why));
+    }
+
+    static std::string_view key(std::string_view path) { return path.substr(path.rfind('.') + 1); }
+
+    std::vector<Fault> faults;
+
+private:
+    const Places& places_;
+    const std::string& file_;
+};
+
+void judge_exclusive(Judge& judge) {
+    for (const Exclusive& pair : exclusive_keys)
+        if (judge.given(pair.one) && judge.given(pair.other))
+            judge.tell({pair.other}, fmt::format("{} and {} are both given; leave one of them out",
+                                                 Judge::key(pair.one), Judge::key(pair.other)));
+}
+
+void judge_channel(Judge& judge, const FlowCase& flow) {
+    const std::string why = fmt::format("with drive = \"{}\"", flow.drive);
+    judge.forbid("flow.shear_rate", why);
+    judge.forbid("flow.shear_number", why);
+    if (!judge.given("flow.pseudo_shear_rate") && !judge.given("flow.pressure_gradient"))
+        judge.tell({"flow.drive"},
+                   fmt::format("drive = \"{}\" needs pseudo_shear_rate = \"500 /s\" or "
+                               "pressure_gradient = \"360 kPa/m\"",
+                               flow.drive));
+    if (flow.hold == "mean-velocity" && !judge.given("flow.pseudo_shear_rate"))
+        judge.tell(
+            {"flow.hold"},
+            "hold = \"mean-velocity\" needs pseudo_shear_rate, the mean velocity / width to hold");
+}
+
+void judge_flow(Judge& judge, const Case& c) {
+    const FlowCase& flow = c.flow;
+    if (flow.drive == "pressure" || flow.drive == "body-force") judge_channel(judge, flow);
+    if (flow.drive == "shear" || flow.drive == "none") {
+        const std::string why = fmt::format("with drive = \"{}\"", flow.drive);
+        judge.forbid("flow.pseudo_shear_rate", why);
+        judge.forbid("flow.pressure_gradient", why);
+    }
+    if (flow.drive == "none") {
+        judge.forbid("flow.shear_rate", "with drive = \"none\"");
+        judge.forbid("flow.shear_number", "with drive = \"none\"");
+    }
+    if (flow.drive == "shear" && !judge.given("flow.shear_rate") &&
+        !judge.given("flow.shear_number"))
+        judge.tell({"flow.drive"},
+                   "drive = \"shear\" needs shear_rate = \"75 /s\" or shear_number = 0.2");
+    if (flow.drive != "none" && c.domain.sides == "periodic")
+        judge.tell(
+            {"domain.sides"},
+            fmt::format("drive = \"{}\" needs walls; write sides = \"walls\" or drive = \"none\"",
+                        flow.drive));
+    if (judge.given("flow.shear_number") && c.numerics.fluid_only)
+        judge.tell({"flow.shear_number"},
+                   "shear_number is built on the cells, and there are none; write shear_rate");
+}
+
+void judge_layout(Judge& judge, const CellsCase& cells) {
+    const bool numbered = judge.given("cells.count") || judge.given("cells.hematocrit");
+    if ((cells.layout == "paper" || cells.layout == "random") && !numbered)
+        judge.tell(
+            {"cells.layout"},
+            fmt::format("layout = \"{}\" needs count = 12 or hematocrit = \"38 %\"", cells.layout));
+    if (cells.layout == "single" && cells.count.value_or(1) > 1)
+        judge.tell({"cells.count"},
+                   "layout = \"single\" is one cell; write layout = \"paper\" or \"random\"");
+    if (cells.layout == "single" || cells.layout == "explicit")
+        judge.forbid("cells.hematocrit", fmt::format("with layout = \"{}\"", cells.layout));
+    if (cells.layout == "paper" && cells.count.value_or(2) % 2 != 0)
+        judge.tell({"cells.count"}, fmt::format("layout = \"paper\" is two equal rows; write count = {}",
+                                                *cells.count + 1));
+    if (cells.layout == "explicit" && cells.positions.empty())
+        judge.tell({"cells.layout"},
+                   "layout = \"explicit\" needs positions = [[\"20 um\", \"10 um\"], ...]");
+    if (cells.layout != "explicit" && !cells.positions.empty())
+        judge.forbid("cells.positions", fmt::format("with layout = \"{}\"", cells.layout));
+    for (const auto& position : cells.positions)
+        if (position.size() != 2) {
+            judge.tell({"cells.positions"},
+                       "each of positions is a pair, as in [[\"20 um\", \"10 um\"]]");
+            break;
+        }
+    if (cells.layout == "explicit" && cells.count && !cells.positions.empty() &&
+        *cells.count != static_cast<std::int64_t>(cells.positions.size()))
+        judge.tell({"cells.count"},
+                   fmt::format("count = {}, but there are {} positions; leave count out",
+                               *cells.count, cells.positions.size()));
+}
+
+void judge_cells(Judge& judge, const Case& c) {
+    const CellsCase& cells = c.cells;
+    if (c.numerics.fluid_only) return;
+    if (!judge.given_any("cells."))
+        return judge.tell({},
+                          "there is no [cells]; write one, or fluid_only = true in [numerics] for "
+                          "a plain channel");
+    judge_layout(judge, cells);
+    const std::string why = fmt::format("with shape = \"{}\"", cells.shape);
+    if (cells.shape != "ellipse") judge.forbid("cells.aspect_ratio", why);
+    if (cells.shape != "file") judge.forbid("cells.file", why);
+    if (cells.shape == "ellipse" && !judge.given("cells.aspect_ratio"))
+        judge.tell({"cells.shape"}, "shape = \"ellipse\" needs aspect_ratio = 1.5");
+    if (cells.shape == "file" && !judge.given("cells.file"))
+        judge.tell({"cells.shape"}, "shape = \"file\" needs file = \"outline.csv\"");
+}
+
+void judge_numerics(Judge& judge) {
+    if (judge.given("numerics.dx") && judge.given("numerics.dt") &&
+        judge.given("numerics.relaxation_time") && judge.given("numerics.density_scale"))
+        judge.tell({"numerics.dt"},
+                   "dx, dt, relaxation_time and density_scale are tied by viscosity; give at most "
+                   "three of them");
+    if (judge.given("layer.thickness") != judge.given("layer.viscosity"))
+        judge.tell({"layer.thickness", "layer.viscosity"},
+                   "[layer] needs both thickness and viscosity");
+}
+
+/// Largest half extent of a cell, at any angle.
+double half_extent(const CellsCase& cells) {
+    if (cells.shape == "ellipse")
+        return cells.radius.si * std::sqrt(cells.aspect_ratio.value_or(1.0));
+    return cells.radius.si * std::sqrt(cells.initial_stretch.value_or(1.0));
+}
+
+/// Area of one cell; nothing for an outline from a file.
+std::optional<double> cell_area(const CellsCase& cells) {
+    const double square = cells.radius.si * cells.radius.si;
+    if (cells.shape == "file") return std::nullopt;
+    // 13.63 µm² at R₀ = 3.91 µm: Evans and Fung (1972).
+    if (cells.shape == "biconcave") return 13.63 / (3.91 * 3.91) * square;
+    return pi * square;
+}
+
+void judge_fit(Judge& judge, const Case& c) {
+    const CellsCase& cells = c.cells;
+    const double size = 2.0 * half_extent(cells);
+    const double across = c.domain.width.si;
+    const double along = c.domain.length.si;
+    if (size >= std::min(across, along) && cells.shape != "file") {
+        judge.tell({"cells.radius", "domain.width"},
+                   fmt::format("a cell is {} wide and the box {} by {}; it does not fit",
+                               rounded_text(Length{size}), to_text(c.domain.length),
+                               to_text(c.domain.width)));
+        return;
+    }
+    if (cells.layout == "paper" && 2.0 * size > across)
+        judge.tell({"cells.layout"},
+                   fmt::format("two rows of cells {} wide do not fit into {}",
+                               rounded_text(Length{size}), to_text(c.domain.width)));
+    const auto area = cell_area(cells);
+    if (!area || !cells.count) return;
+    const double hematocrit = static_cast<double>(*cells.count) * *area / (across * along);
+    if (hematocrit > 0.9)
+        judge.tell({"cells.count"},
+                   fmt::format("{} cells would fill {:.0f} % of the box; at most {} fit (90 %)",
+                               *cells.count, 100.0 * hematocrit,
+                               std::floor(0.9 * across * along / *area)));
+    const double rows = std::ceil(static_cast<double>(*cells.count) / 2.0);
+    if (cells.layout == "paper" && hematocrit <= 0.9 && rows * size > along)
+        judge.tell({"cells.count"},
+                   fmt::format("{} cells {} wide in two rows are longer than the box, {}",
+                               *cells.count, rounded_text(Length{size}), to_text(c.domain.length)));
+}
+
+void judge_positions(Judge& judge, const Case& c) {
+    const double radius = half_extent(c.cells);
+    for (const auto& p : c.cells.positions) {
+        if (p.size() != 2) return;
+        if (c.domain.sides == "walls" && c.cells.shape == "circle" &&
+            (p[1].si - radius < 0.0 || p[1].si + radius > c.domain.width.si))
+            judge.tell({"cells.positions"}, fmt::format("the cell at [{}, {}] reaches into a wall",
+                                                        to_text(p[0]), to_text(p[1])));
+    }
+    for (std::size_t i = 0; i < c.cells.positions.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const auto& p = c.cells.positions[i];
+            const auto& q = c.cells.positions[j];
+            if (p.size() != 2 || q.size() != 2 || c.cells.shape != "circle") return;
+            const double dx = std::remainder(p[0].si - q[0].si, c.domain.length.si);
+            if (std::hypot(dx, p[1].si - q[1].si) >= 2.0 * radius) continue;
+            return judge.tell(
+                {"cells.positions"},
+                fmt::format("cells {} and {} overlap: they are {} apart and {} wide", j + 1, i + 1,
+                            rounded_text(Length{std::hypot(dx, p[1].si - q[1].si)}),
+                            rounded_text(Length{2.0 * radius})));
+        }
+}
+
+void judge_contact(Judge& judge, const ContactCase& contact) {
+    if (contact.model == "none") return;
+    if (contact.energy.si > lysis_tension)
+        judge.tell(
+            {"contact.energy"},
+            fmt::format(
+                "energy = {} J/m^2 is {:.3g} times the tension at which the membrane bursts (about "
+                "{} N/m); "
+                "the paper prints uJ/um^2 but can only mean J/m^2: write energy = \"1.3e-7 J/m^2\"",
+                to_text(contact.energy.si), contact.energy.si / lysis_tension,
+                to_text(lysis_tension)));
+    if (contact.range && *contact.range <= contact.zero_force_distance)
+        judge.tell({"contact.range"},
+                   fmt::format("range = {} must exceed zero_force_distance, {}",
+                               to_text(*contact.range), to_text(contact.zero_force_distance)));
+}
+
+bool is_whole(double count) { return std::abs(count - std::round(count)) < 1e-6 * count; }
+
+/// The spacing nearest to `dx` that divides width and length; one of two digits if there is one
+/// near.
+std::optional<double> dividing_spacing(double width, double length, double dx) {
+    std::optional<double> best;
+    double best_distance = 1e300;
+    const int middle = static_cast<int>(width / dx);
+    for (int n = std::max(6, middle * 3 / 4); n <= middle * 4 / 3 + 1; ++n) {
+        const double spacing = width / n;
+        if (!is_whole(length / spacing)) continue;
+        const bool short_number =
+            std::abs(std::stod(fmt::format("{:.1e}", spacing)) / spacing - 1.0) < 1e-9;
+        const double distance = std::abs(std::log(spacing / dx)) + (short_number ? 0.0 : 0.5);
+        if (distance >= best_distance) continue;
+        best = spacing;
+        best_distance = distance;
+    }
+    return best;
+}
+
+void judge_grid(Judge& judge, const Case& c) {
+    if (!c.numerics.dx) return;
+    const double dx = c.numerics.dx->si;
+    const double width = c.domain.width.si;
+    if (width / dx < 6.0)
+        return judge.tell(
+            {"numerics.dx"},
+            fmt::format("dx = {} leaves {:.1f} sites across the width, {}; at least 6 are needed",
+                        to_text(*c.numerics.dx), width / dx, to_text(c.domain.width)));
+    if (c.domain.length.si / dx * (width / dx) > 1e9)
+        return judge.tell(
+            {"numerics.dx"},
+            fmt::format("dx = {} makes {:.3g} sites; at most 1e9 are possible",
+                        to_text(*c.numerics.dx), c.domain.length.si / dx * (width / dx)));
+    if (!c.numerics.fluid_only && c.cells.radius.si / dx < 4.0)
+        judge.tell({"numerics.dx"},
+                   fmt::format(
+                       "dx = {} leaves {:.1f} sites to the radius of a cell; at least 4 are needed",
+                       to_text(*c.numerics.dx), c.cells.radius.si / dx));
+    const double length = c.domain.length.si;
+    if (is_whole(width / dx) && is_whole(length / dx)) return;
+    const auto spacing = dividing_spacing(width, length, dx);
+    judge.tell(
+        {"numerics.dx"},
+        fmt::format("dx = {} does not divide width = {} and length = {} into whole sites; {}",
+                    to_text(*c.numerics.dx), to_text(c.domain.width), to_text(c.domain.length),
+                    spacing ? fmt::format("write dx = \"{}\"", rounded_text(Length{*spacing}, 9))
+                            : "change the length of the box"));
+}
+
+void judge_times(Judge& judge, const Case& c) {
+    const Time end = c.time.end;
+    const auto check = [&](const std::optional<Time>& t, std::string_view path) {
+        if (t && *t > end)
+            judge.tell({path}, fmt::format("{} = {} is beyond the end of the run, {}",
+                                           Judge::key(path), to_text(*t), to_text(end)));
+    };
+    check(c.time.average_from, "time.average_from");
+    check(c.output.series, "output.series");
+    check(c.output.frames, "output.frames");
+    check(c.numerics.dt, "numerics.dt");
+    for (const Time t : c.output.figure_times)
+        check(t, "output.figure_times");
+}
+
+}  // namespace
+
+std::vector<Fault> find_conflicts(const Case& c, const Places& places, const std::string& file) {
+    Judge judge(places, file);
+    judge_exclusive(judge);
+    judge_flow(judge, c);
+    judge_cells(judge, c);
+    judge_numerics(judge);
+    return std::move(judge.faults);
+}
+
+std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
+                                        const std::string& file) {
+    Judge judge(places, file);
+    if (!c.numerics.fluid_only) {
+        judge_fit(judge, c);
+        judge_positions(judge, c);
+        if (c.cells.file && !std::filesystem::is_regular_file(*c.cells.file))
+            judge.tell({"cells.file"}, fmt::format("there is no file {}", *c.cells.file));
+    }
+    if (c.layer.thickness && *c.layer.thickness >= c.domain.width)
+        judge.tell({"layer.thickness"},
+                   fmt::format("the layer is {} thick and the box {} wide",
+                               to_text(*c.layer.thickness), to_text(c.domain.width)));
+    judge_contact(judge, c.contact);
+    judge_grid(judge, c);
+    judge_times(judge, c);
+    return std::move(judge.faults);
+}
+
+}  // namespace tt

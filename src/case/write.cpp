@@ -1,0 +1,44 @@
+#include "case/write.hpp"
+
+#include <fmt/format.h>
+
+#include "case/field_types.hpp"
+#include "case/schema.hpp"
+#include "case/value_text.hpp"
+
+namespace tt {
+namespace {
+
+template <Table S>
+void write_table(const S& table, const std::string& path, std::string& text) {
+    for_each_field<S>([&](const auto& field) {
+        const auto& value = table.*field.member;
+        using T = std::remove_cvref_t<decltype(value)>;
+        if constexpr (!Table<T>) {
+            const std::string written = value_text(value, field.example);
+            const std::string line = written.empty()
+                                         ? fmt::format("# {} = (auto or not given)", field.key)
+                                         : fmt::format("{} = {}", field.key, written);
+            text += fmt::format("{:<42} # {}\n", line, field.meaning);
+        }
+    });
+    for_each_field<S>([&](const auto& field) {
+        const auto& value = table.*field.member;
+        if constexpr (Table<std::remove_cvref_t<decltype(value)>>) {
+            const std::string name =
+                path.empty() ? std::string(field.key) : fmt::format("{}.{}", path, field.key);
+            text += fmt::format("\n{:<42} # {}\n", fmt::format("[{}]", name), field.meaning);
+            write_table(value, name, text);
+        }
+    });
+}
+
+}  // namespace
+
+std::string to_toml(const Case& given) {
+    std::string text;
+    write_table(given, "", text);
+    return text;
+}
+
+}  // namespace tt
