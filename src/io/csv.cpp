@@ -79,6 +79,7 @@ Table read_csv(const std::filesystem::path& path) {
         const std::string_view line = trimmed(rest.substr(0, end));
         rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
         if (line.empty() || line.front() == '#') continue;
+        if (end == std::string_view::npos && split(line).size() < table.names.size()) break;
         if (table.names.empty()) read_header(line, table);
         else read_row(line, fmt::format("{}:{}", path.string(), number), table);
     }

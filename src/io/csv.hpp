@@ -60,7 +60,7 @@ struct Table {
 };
 
 /// Reads what csv_header and csv_row wrote. Lines starting with '#' are skipped. IoError with path:line for a ragged
-/// line or a cell that is no number.
+/// line or a cell that is no number; a last line that is still being written is left out.
 Table read_csv(const std::filesystem::path& path);
 
 }  // namespace tt

@@ -1,10 +1,8 @@
 #include "io/vtk.hpp"
 
-#include <fstream>
-
 #include <fmt/format.h>
 
-#include "base/error.hpp"
+#include "io/file.hpp"
 
 namespace tt {
 namespace {
@@ -13,7 +11,7 @@ namespace {
 /// underscore of <AppendedData>; every block is its size as UInt64, then its bytes.
 class AppendedFile {
 public:
-    explicit AppendedFile(std::string_view kind) : kind_(kind) {
+    explicit AppendedFile(std::string_view kind) {
         head_ = fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\" "
                             "header_type=\"UInt64\">\n", kind);
     }
@@ -37,14 +35,12 @@ public:
     }
 
     void save(const std::filesystem::path& path) const {
-        std::ofstream file(path, std::ios::binary);
-        file << head_ << "<AppendedData encoding=\"raw\">\n_" << data_ << "\n</AppendedData>\n</VTKFile>\n";
-        file.close();
-        if (!file) throw IoError(path.string() + ": cannot be written");
+        replace_file(path, head_ + "<AppendedData encoding=\"raw\">\n_" + data_ + "\n</AppendedData>\n</VTKFile>\n",
+                     Durability::process);
     }
 
 private:
-    std::string kind_, head_, data_;
+    std::string head_, data_;
 };
 
 }  // namespace
@@ -82,13 +78,10 @@ void write_vtp(const std::filesystem::path& path, std::span<const Vec2> points, 
 }
 
 void write_pvd(const std::filesystem::path& path, std::span<const PvdEntry> entries) {
-    std::ofstream file(path);
-    file << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
+    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
     for (const PvdEntry& entry : entries)
-        file << fmt::format("<DataSet timestep=\"{:.9g}\" part=\"0\" file=\"{}\"/>\n", entry.time, entry.file);
-    file << "</Collection>\n</VTKFile>\n";
-    file.close();
-    if (!file) throw IoError(path.string() + ": cannot be written");
+        text += fmt::format("<DataSet timestep=\"{:.9g}\" part=\"0\" file=\"{}\"/>\n", entry.time, entry.file);
+    replace_file(path, text + "</Collection>\n</VTKFile>\n", Durability::process);
 }
 
 }  // namespace tt

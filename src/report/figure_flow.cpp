@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "report/figures.hpp"
+#include "report/frames.hpp"
 
 namespace tt {
 namespace {
@@ -18,7 +19,7 @@ struct SpeedMap {
     std::vector<double> speed;
 };
 
-SpeedMap speed_map(const FrameGrid& grid, const Frame& frame) {
+SpeedMap speed_map(const FramesHeader& grid, const Frame& frame) {
     SpeedMap map;
     map.stride = (grid.nx + most_columns - 1) / most_columns;
     map.columns = grid.nx / map.stride;
@@ -28,7 +29,7 @@ SpeedMap speed_map(const FrameGrid& grid, const Frame& frame) {
         for (int i = 0; i < map.columns * map.stride; ++i) {
             const std::size_t site = static_cast<std::size_t>(j) * grid.nx + i;
             const std::size_t block = static_cast<std::size_t>(j / map.stride) * map.columns + i / map.stride;
-            map.speed[block] += std::hypot(frame.velocity_x[site], frame.velocity_y[site]) / (map.stride * map.stride);
+            map.speed[block] += std::hypot(frame.velocity[2 * site], frame.velocity[2 * site + 1]) / (map.stride * map.stride);
         }
     return map;
 }
@@ -44,12 +45,12 @@ std::string matrix_text(const SpeedMap& map, double factor) {
 }
 
 /// Closed outlines [µm], wrapped into the box; a cell across an end is written at both. A blank line ends each.
-std::string outlines_text(const FrameGrid& grid, std::vector<Vec2> nodes) {
+std::string outlines_text(const FramesHeader& grid, const Frame& frame) {
+    const std::vector<Vec2> nodes = wrapped_nodes(grid, frame);
     std::string text = "# x [um] y [um] cell; a blank line between outlines\n";
-    for (int cell = 0; cell < grid.cell_count(); ++cell) {
+    for (int cell = 0; cell < cell_count(grid); ++cell) {
         const int begin = grid.first[static_cast<std::size_t>(cell)];
         const int end = grid.first[static_cast<std::size_t>(cell) + 1];
-        wrap_cell(nodes, begin, end, grid.length);
         const auto by_x = [](Vec2 a, Vec2 b) { return a.x < b.x; };
         const auto [left, right] = std::minmax_element(nodes.begin() + begin, nodes.begin() + end, by_x);
         for (const double shift : {-grid.length, 0.0, grid.length}) {
@@ -74,7 +75,7 @@ struct PanelGrid {
 };
 
 /// Long boxes one below the other at column width, square ones in two columns.
-PanelGrid panel_grid(const FrameGrid& grid, int panels) {
+PanelGrid panel_grid(const FramesHeader& grid, int panels) {
     const double aspect = grid.length / grid.width;
     PanelGrid layout{aspect < 2.0 && panels > 1 ? 2 : 1, 1, 0.0, 0.0};
     layout.rows = (panels + layout.columns - 1) / layout.columns;
@@ -123,7 +124,7 @@ std::vector<int> chosen_frames(const Results& run) {
     if (wanted.empty())
         for (const double share : {0.0, 0.25, 0.5, 1.0}) wanted.push_back(share * run.frames->time(last));
     std::vector<int> frames;
-    for (const double time : wanted) frames.push_back(run.frames->nearest(time));
+    for (const double time : wanted) frames.push_back(nearest_frame(*run.frames, time));
     std::sort(frames.begin(), frames.end());
     frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     return frames;
@@ -131,10 +132,10 @@ std::vector<int> chosen_frames(const Results& run) {
 
 void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& drawn) {
     if (!run.frames || run.frames->count() == 0) return;
-    const FrameGrid& grid = run.frames->grid();
+    const FramesHeader& grid = run.frames->header();
     std::vector<Frame> frames;
     for (const int k : chosen_frames(run))
-        if (Frame frame = run.frames->read(k); !frame.velocity_x.empty()) frames.push_back(std::move(frame));
+        if (Frame frame = run.frames->frame(k); !frame.velocity.empty()) frames.push_back(std::move(frame));
     if (frames.empty()) return;
 
     const PanelGrid layout = panel_grid(grid, static_cast<int>(frames.size()));
@@ -158,7 +159,7 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
         const std::string stem = fmt::format("flow_{}", k + 1);
         const auto index = static_cast<std::size_t>(k);
         write_text(out / (stem + "_speed.dat"), matrix_text(maps[index], factor));
-        write_text(out / (stem + "_cells.dat"), outlines_text(grid, frames[index].nodes));
+        write_text(out / (stem + "_cells.dat"), outlines_text(grid, frames[index]));
         body += panel_place(layout, k, panels);
         body += fmt::format("set title \"{{/:Italic t}} = {:.4g} {}\" offset 0,-0.7\n", frames[index].time * unit.per_second, unit.name);
         body += k + 1 < panels ? "unset colorbox\n"
@@ -169,7 +170,7 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
                                              7.0 / layout.height(), slow ? "μm/s" : "mm/s");
         const double block = grid.dx * maps[index].stride * 1e6;
         body += fmt::format("plot \"{0}_speed.dat\" matrix using (({1:.8g})*($1+0.5)):(({1:.8g})*($2+0.5)):3 with image", stem, block);
-        if (grid.node_count() > 0)
+        if (grid.first.back() > 0)
             body += fmt::format(", \\\n     \"{0}_cells.dat\" using 1:2 with filledcurves closed fc rgb \"#c8372d\" fillstyle "
                                 "transparent solid 0.8 noborder, \\\n     \"\" using 1:2 with lines lc rgb \"#5c0d08\" lw 0.7", stem);
         body += "\n";

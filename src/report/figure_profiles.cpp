@@ -27,15 +27,15 @@ struct VelocityUnit {
 VelocityUnit velocity_unit(std::span<const Results> runs) {
     double fastest = 0.0;
     for (const Results& run : runs)
-        for (const double u : run.profiles.values("velocity")) fastest = std::max(fastest, std::abs(u));
+        for (const double u : values(run.profiles, "velocity")) fastest = std::max(fastest, std::abs(u));
     return fastest < 1e-3 ? VelocityUnit{1e6, "μm/s"} : VelocityUnit{1e3, "mm/s"};
 }
 
 /// The profile without cells of the same flux: 6 U y (H − y)/H² between resting walls, and u = k (y − H/2) + U between
 /// walls that move with ± k H/2. Empty if the case does not say how the flow is driven.
 Column profile_of_plasma(const Results& run) {
-    const Column& y = run.profiles.values("y");
-    const Column& u = run.profiles.values("velocity");
+    const Column& y = values(run.profiles, "y");
+    const Column& u = values(run.profiles, "velocity");
     const double width = wall_distance(y);
     if (u.empty() || width <= 0.0) return {};
     double mean = 0.0;
@@ -55,7 +55,7 @@ LineFigure across(std::span<const Results> runs, const std::string& name, const 
     LineFigure figure;
     figure.name = name;
     double width = 0.0;
-    for (const Results& run : runs) width = std::max(width, wall_distance(run.profiles.values("y")));
+    for (const Results& run : runs) width = std::max(width, wall_distance(values(run.profiles, "y")));
     figure.commands = {"set xlabel \"" + x_label + "\"", "set ylabel \"{/:Italic y} [μm]\"",
                        fmt::format("set yrange [0:{:.6g}]", width * 1e6), "set border 7"};
     return figure;
@@ -74,8 +74,8 @@ void draw_velocity(std::span<const Results> runs, const fs::path& out, std::vect
     const std::vector<std::string> labels = run_labels(runs);
     const bool single = runs.size() == 1;
     for (std::size_t r = 0; r < runs.size(); ++r) {
-        const Column y = scaled(runs[r].profiles.values("y"), 1e6);
-        const Column u = scaled(runs[r].profiles.values("velocity"), unit.per_si);
+        const Column y = scaled(values(runs[r].profiles, "y"), 1e6);
+        const Column u = scaled(values(runs[r].profiles, "velocity"), unit.per_si);
         if (u.empty()) continue;
         figure.curves.push_back({single ? "with cells" : labels[r], fmt::format("using 1:2 with lines linetype {}", r + 1), {u, y}});
         const Column plasma = scaled(profile_of_plasma(runs[r]), unit.per_si);
@@ -94,7 +94,7 @@ void draw_velocity(std::span<const Results> runs, const fs::path& out, std::vect
 void mark_layers(LineFigure& figure, const Results& run) {
     const double bottom = window_mean(run, "cfl_profile_bottom") * 1e6;
     const double top = window_mean(run, "cfl_profile_top") * 1e6;
-    const double width = wall_distance(run.profiles.values("y")) * 1e6;
+    const double width = wall_distance(values(run.profiles, "y")) * 1e6;
     if (!std::isfinite(bottom) || !std::isfinite(top)) return;
     const std::string fill = "fc rgb \"#f6e3c5\" fillstyle solid noborder behind";
     figure.commands.push_back(fmt::format("set object 1 rectangle from graph 0, first 0 to graph 1, first {:.6g} {}", bottom, fill));
@@ -112,10 +112,10 @@ void draw_hematocrit(std::span<const Results> runs, const fs::path& out, std::ve
     const std::vector<std::string> labels = run_labels(runs);
     const bool single = runs.size() == 1;
     for (std::size_t r = 0; r < runs.size(); ++r) {
-        const Column& h = runs[r].profiles.values("hematocrit");
+        const Column& h = values(runs[r].profiles, "hematocrit");
         if (h.empty()) continue;
         figure.curves.push_back({single ? "" : labels[r], fmt::format("using 1:2 with lines linetype {}", r + 1),
-                                 {h, scaled(runs[r].profiles.values("y"), 1e6)}});
+                                 {h, scaled(values(runs[r].profiles, "y"), 1e6)}});
     }
     figure.caption = "Share of the cells' interior at each height, averaged over the length and over the window.";
     figure.commands.push_back("set xrange [0:*]");

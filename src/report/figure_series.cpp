@@ -26,7 +26,7 @@ struct TimePlots {
 double longest_time(std::span<const Results> runs) {
     double longest = 0.0;
     for (const Results& run : runs)
-        for (const double t : run.series.values("time")) longest = std::max(longest, t);
+        for (const double t : values(run.series, "time")) longest = std::max(longest, t);
     return longest;
 }
 
@@ -35,7 +35,7 @@ Column scaled(Column values, double factor) {
     return values;
 }
 
-Column times(const Results& run, const TimeUnit& unit) { return scaled(run.series.values("time"), unit.per_second); }
+Column times(const Results& run, const TimeUnit& unit) { return scaled(values(run.series, "time"), unit.per_second); }
 
 /// Axes, and the averaging window in grey when there is one run to average.
 LineFigure over_time(const TimePlots& plots, const std::string& name, const std::string& y_label) {
@@ -60,9 +60,9 @@ std::string window_note(const TimePlots& plots) {
 
 /// Every cell's curve one after the other, a NaN row between them.
 std::pair<Column, Column> cell_curves(const Results& run, const std::string& column, double time_factor) {
-    const Column& time = run.cells.values("time");
-    const Column& cell = run.cells.values("cell");
-    const Column& value = run.cells.values(column);
+    const Column& time = values(run.cells, "time");
+    const Column& cell = values(run.cells, "cell");
+    const Column& value = values(run.cells, column);
     if (value.empty() || cell.empty() || time.empty()) return {};
     std::map<double, std::pair<Column, Column>> by_cell;
     for (std::size_t k = 0; k < value.size(); ++k) {
@@ -92,12 +92,12 @@ void finish(const LineFigure& figure, const fs::path& out, std::vector<Figure>& 
 void add_column(LineFigure& figure, const TimePlots& plots, const std::string& column, const std::string& title,
                 double factor, int first_linetype) {
     for (std::size_t r = 0; r < plots.runs.size(); ++r) {
-        const Column& values = plots.runs[r].series.values(column);
-        if (values.empty()) continue;
+        const Column& series = values(plots.runs[r].series, column);
+        if (series.empty()) continue;
         const int linetype = plots.single() ? first_linetype : static_cast<int>(r) + 1;
         figure.curves.push_back({plots.single() ? title : plots.labels[r],
                                  fmt::format("using 1:2 with lines linetype {}", linetype),
-                                 {times(plots.runs[r], plots.unit), scaled(values, factor)}});
+                                 {times(plots.runs[r], plots.unit), scaled(series, factor)}});
     }
     figure.column_names.push_back(column);
 }
@@ -110,8 +110,8 @@ LineFigure stretch_figure(const TimePlots& plots) {
     figure.commands.push_back("set key bottom right");
     for (std::size_t r = 0; r < plots.runs.size(); ++r) {
         const Column time = times(plots.runs[r], plots.unit);
-        const Column& mean = plots.runs[r].series.values("lambda_C");
-        const Column& sd = plots.runs[r].series.values("lambda_C_sd");
+        const Column& mean = values(plots.runs[r].series, "lambda_C");
+        const Column& sd = values(plots.runs[r].series, "lambda_C_sd");
         if (mean.empty() || sd.size() != mean.size()) continue;
         Column low(mean), high(mean);
         for (std::size_t k = 0; k < mean.size(); ++k) {

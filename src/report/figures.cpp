@@ -1,9 +1,8 @@
 #include "report/figures.hpp"
 
 #include <algorithm>
-#include <system_error>
 
-#include "base/error.hpp"
+#include "io/file.hpp"
 
 namespace tt {
 
@@ -24,9 +23,7 @@ TimeUnit time_unit(double longest) {
 }
 
 std::vector<Figure> draw_figures(std::span<const Results> runs, const std::filesystem::path& out) {
-    std::error_code failure;
-    std::filesystem::create_directories(out, failure);
-    if (failure) throw IoError(out.string() + ": cannot be made: " + failure.message());
+    make_directory(out);
     write_style(out);
     std::vector<Figure> drawn;
     if (runs.size() == 1) draw_flow(runs.front(), out, drawn);

@@ -1,12 +1,11 @@
 #include "report/gnuplot.hpp"
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "io/file.hpp"
 
 namespace tt {
 namespace {
@@ -55,9 +54,7 @@ void execute(const fs::path& out, const std::string& name) {
     }
     if (std::system("command -v gnuplot > /dev/null 2>&1") != 0)
         throw IoError("figures need gnuplot, which is not installed; on Debian or Ubuntu: sudo apt install gnuplot-nox");
-    std::ifstream file(log);
-    const std::string message{std::istreambuf_iterator<char>(file), {}};
-    throw IoError(fmt::format("gnuplot could not draw {}: {}", (out / (name + ".gp")).string(), message));
+    throw IoError(fmt::format("gnuplot could not draw {}: {}", (out / (name + ".gp")).string(), read_file(log)));
 }
 
 std::string data_text(const LineFigure& figure) {
@@ -87,10 +84,7 @@ std::string gnuplot_string(std::string_view text) {
 }
 
 void write_text(const fs::path& path, std::string_view text) {
-    std::ofstream file(path, std::ios::binary);
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
-    file.close();
-    if (!file) throw IoError(path.string() + ": cannot be written");
+    replace_file(path, text, Durability::process);
 }
 
 void write_style(const fs::path& out) { write_text(out / "style.gp", style); }

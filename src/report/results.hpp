@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
-#include "io/table.hpp"
-#include "report/frames.hpp"
+#include "io/csv.hpp"
+#include "io/frames.hpp"
+#include "io/json.hpp"
 
 namespace tt {
 
@@ -27,11 +26,11 @@ struct Results {
     std::filesystem::path directory;
     std::string name;                             ///< of the case
     std::map<std::string, std::string> settings;  ///< "flow.drive" → "shear"; from resolved.toml, else case.toml
-    nlohmann::ordered_json status, provenance, summary;
+    Json status, provenance, summary;
     std::vector<SummaryLine> quantities;          ///< of the summary, in its order
     double window_begin = 0.0, window_end = 0.0;  ///< of averaging [s]; equal: none
     Table series, cells, profiles;
-    std::shared_ptr<const FrameFile> frames;      ///< nullptr: no frames.h5
+    std::shared_ptr<const FramesReader> frames;   ///< nullptr: no frames.h5
 
     /// A setting as its text, or `otherwise`.
     std::string setting(const std::string& key, const std::string& otherwise = "") const;
@@ -41,6 +40,9 @@ struct Results {
 /// Reads what is there. Throws IoError if the directory does not exist or holds neither a case nor any results, or if a
 /// file in it is damaged.
 Results read_results(const std::filesystem::path& directory);
+
+/// The values of a column; empty if the table has no such column.
+const std::vector<double>& values(const Table& table, std::string_view name);
 
 /// A length or other number of the settings in SI, from text such as "0.2 um", "75 /s", "1.2 cP" or a bare number.
 /// NaN if the text is not one.

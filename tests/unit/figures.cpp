@@ -1,4 +1,5 @@
 #include "report/figures.hpp"
+#include "report/frames.hpp"
 
 #include <cmath>
 
@@ -57,7 +58,7 @@ TEST(Figures, unfinished_run_gives_what_there_is) {
     const Results run = read_results(scratch / "run");
     EXPECT_FALSE(run.finished());
     EXPECT_EQ(run.series.rows(), 59u) << "the line cut short is left out";
-    EXPECT_EQ(run.frames->count(), 4) << "the frame cut short is left out";
+    EXPECT_EQ(run.frames->count(), 4);
     const std::vector<Figure> figures = draw_figures({&run, 1}, scratch / "figures");
     EXPECT_TRUE(drew(figures, "flow"));
     EXPECT_TRUE(drew(figures, "lambda_C"));
@@ -100,18 +101,22 @@ TEST(Results, summary_window_and_settings_are_read) {
     EXPECT_TRUE(std::isnan(window_mean(run, "no such column")));
 }
 
-TEST(Frames, wrapping_moves_a_whole_cell_into_the_box) {
-    std::vector<Vec2> nodes{{25.0, 1.0}, {27.0, 2.0}, {26.0, 3.0}};
-    wrap_cell(nodes, 0, 3, 10.0);
+TEST(ReportFrames, wrapping_moves_a_whole_cell_into_the_box) {
+    FramesHeader header;
+    header.length = 10.0;
+    header.first = {0, 3};
+    Frame frame;
+    frame.nodes = {25.0, 1.0, 27.0, 2.0, 26.0, 3.0};
+    const std::vector<Vec2> nodes = wrapped_nodes(header, frame);
     EXPECT_EQ(nodes[0], (Vec2{5.0, 1.0}));
     EXPECT_EQ(nodes[1], (Vec2{7.0, 2.0}));
 }
 
-TEST(Frames, nearest_frame_in_time_is_found) {
+TEST(ReportFrames, nearest_frame_in_time_is_found) {
     ScratchFolder scratch;
     invent_results(scratch / "run", "--frames 9");
     const Results run = read_results(scratch / "run");
-    EXPECT_EQ(run.frames->nearest(21e-3), 2);
+    EXPECT_EQ(nearest_frame(*run.frames, 21e-3), 2);
     EXPECT_EQ(chosen_frames(run), (std::vector<int>{0, 2, 4, 8}));
 }
 
