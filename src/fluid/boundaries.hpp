@@ -19,7 +19,8 @@ struct Boundaries {
 /// - A population that leaves through the outlet x = nx enters at the inlet with w_i Δρ more, Δρ = Δp / c_s², and one
 ///   that leaves through the inlet with as much less. What hits a wall at an end belongs to the wall. Exact for the
 ///   linear and the incompressible equilibrium. For the full one it makes the momentum ρu periodic, not u: the velocity
-///   differs by the factor 1 + Δρ between the ends, as it must if mass is conserved.
+///   differs by the factor 1 + Δρ between the ends, as it must if mass is conserved; against a body force the momentum
+///   then agrees to Δρ², the velocity to Δρ/2 (tests/physics/pressure_ends.cpp).
 void finish_departures(const Boundaries& boundaries, Populations& populations, int j);
 
 }  // namespace tt

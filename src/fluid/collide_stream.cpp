@@ -1,5 +1,6 @@
 #include "fluid/collide_stream.hpp"
 
+#include "base/contracts.hpp"
 #include "base/parallel.hpp"
 #include "fluid/collide_row.hpp"
 
@@ -9,6 +10,8 @@ void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& bounda
                         const VectorField& force, const Relaxation& relaxation, Populations& populations,
                         VectorField& velocity) {
     const Lattice& lattice = populations.lattice();
+    TT_EXPECTS(force.x.lattice() == lattice && velocity.x.lattice() == lattice);
+    TT_EXPECTS(relaxation.even.lattice() == lattice && relaxation.odd.lattice() == lattice);
     RowOfSites row{};
     row.count = lattice.nx;
     row.body_force = body_force;
