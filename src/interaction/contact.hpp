@@ -5,23 +5,15 @@
 #include <vector>
 
 #include "grid/lattice.hpp"
+#include "interaction/morse.hpp"
+#include "interaction/nearest.hpp"
+#include "interaction/neighbours.hpp"
 #include "membrane/suspension.hpp"
 
 namespace tt {
 
 struct NoContact {};
-
-/// Morse attraction and repulsion (Eqs. 16, 17 as corrected), a pressure between two membranes at distance r:
-/// f(r) = 2 β D_e [e^{2β(r₀−r)} − e^{β(r₀−r)}], positive = repulsive for r < r₀, times α(λ_C) where repulsive and hardening asks.
-struct Morse {
-    double energy = 0.0;              ///< D_e
-    double decay = 1.0;               ///< β
-    double zero_force_distance = 1.0; ///< r₀
-    bool scale_repulsion = false;     ///< hardening applies to contact (Table 1)
-};
 using ContactLaw = std::variant<NoContact, Morse>;
-
-enum class Nearest : std::uint8_t { node, segment };
 
 /// Everything between two cells, or between a cell and a wall. Lattice units.
 struct ContactModel {
@@ -30,18 +22,68 @@ struct ContactModel {
     double range = 0.0;                ///< query range R
     double repulsion_range = 0.0;      ///< short-range repulsion below this gap; 0: off
     double repulsion_strength = 0.0;   ///< its pressure at zero gap
+
+    /// How far apart two membranes can feel each other; 0: nothing to do.
+    double reach() const {
+        const double law_range = std::holds_alternative<NoContact>(law) ? 0.0 : range;
+        return law_range > repulsion_range ? law_range : repulsion_range;
+    }
 };
 
-/// Counters since the start (checkpointed) and the neighbour search's work arrays (derived).
+/// A node and a neighbouring cell that were near when pairs were last listed.
+struct ContactPair {
+    std::int32_t node = 0;      ///< of the suspension
+    std::int32_t other = 0;     ///< cell
+    std::int32_t window_first = 0;  ///< segments among which the nearest is, as long as
+    double outside = 0.0;       ///< … it is nearer than this bound for all others, less what has moved since
+    Vec2 shift;                 ///< of the image of the other cell, whole periods
+};
+
+/// A pair within reach at this step, and its force.
+struct ContactHit {
+    std::int32_t node = 0;
+    std::int32_t other = 0;
+    std::int32_t from = 0, to = 0;  ///< nodes of the partner's segment
+    double along = 0.0;             ///< place on it
+    Vec2 normal;                    ///< unit, away from the partner
+    double gap = 0.0;               ///< negative where the node is inside the partner
+    double share = 0.0;             ///< half the node's arc length
+    Vec2 force;                     ///< on the node; the opposite on the partner
+};
+
+/// What one cell keeps for its search.
+struct CellContacts {
+    std::vector<ContactPair> pairs;
+    std::vector<ContactHit> hits;
+    std::vector<Neighbour> neighbours;
+    std::vector<double> lower;
+    SegmentBoxes boxes;
+    double moved = 0.0;  ///< largest displacement of a node since pairs were listed, less the drift
+    double smallest_gap = 0.0;
+    std::int64_t repelled = 0;
+};
+
+/// Counters since the start (checkpointed) and the neighbour search's work arrays: derived, and without influence on the
+/// forces, since a search through the lists finds what a search through everything would find.
 struct ContactState {
-    std::int64_t repulsion_count = 0;   ///< node–steps on which the short-range repulsion acted
-    double smallest_gap = 0.0;          ///< between cells, at the last step [sites]
-    std::vector<std::int32_t> work;
+    std::int64_t repulsion_count = 0;   ///< node–steps on which the short-range repulsion acted, per partner
+    double smallest_gap = 0.0;          ///< between cells, at the last step [sites]; the reach where none is nearer
+
+    std::vector<CellContacts> cells;
+    std::vector<double> listed_x, listed_y;  ///< node positions when pairs were last listed
+    std::vector<Bounds> bounds;
+    CellBins bins;
+    double listed_reach = -1.0;
 };
 
-/// Adds the pair forces to fx, fy: for each node the nearest point (node or segment) of every other cell within range;
-/// node force f Δs along the line between them, the opposite on the partner. Neighbour search by bins, linear in the
-/// number of nodes; periodic in x. Fixed order of sums, any number of threads. Team function.
+/// Adds the forces between cells to fx, fy. Every node within reach of another cell's outline feels the pressure f of
+/// its gap r to the nearest point there, along the line between the two; the partner's two nodes share the opposite by
+/// the lever rule, so force and torque balance. Each pair of membranes is integrated from both sides, nodes of A to
+/// segments of B and nodes of B to segments of A, each with half of f Δs: the mean of two quadratures, the same
+/// whichever cell comes first. α is that of the node's cell. Also the short-range repulsion, between cells and from walls.
+///
+/// A cell's periodic images are other cells, its own included. Sums in a fixed order: same bits for any team and after
+/// any restart. Team function.
 void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspension& cells, ContactState& contact);
 
 /// A node of one cell found inside another.
@@ -51,6 +93,8 @@ struct Overlap {
     int other = 0;       ///< inside which
     double depth = 0.0;  ///< distance to the other outline [sites]
 };
+
+/// Every node that lies inside another cell, by cell, other and node. Cells by bins, then boxes, then nodes.
 std::vector<Overlap> find_overlaps(const Lattice& lattice, const Suspension& cells);
 
 }  // namespace tt

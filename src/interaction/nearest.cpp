@@ -1,0 +1,153 @@
+#include "interaction/nearest.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/isa.hpp"
+
+namespace tt {
+namespace {
+
+/// Squared distance from the origin to each of `window` segments between consecutive points, and where on it.
+TT_INLINE void measure_window(const double* x, const double* y, Vec2 point, double segments_count, double* distance2,
+                              double* along) {
+#pragma omp simd
+    for (int k = 0; k < window; ++k) {
+        const double ax = x[k] - point.x;
+        const double ay = y[k] - point.y;
+        const double ex = x[k + 1] - x[k];
+        const double ey = y[k + 1] - y[k];
+        const double length2 = ex * ex + ey * ey;
+        // Two nodes on one spot make a segment of no length: any place on it will do.
+        const double place = -(ax * ex + ay * ey) / std::max(length2, 1e-300);
+        const double t = segments_count * std::min(1.0, std::max(0.0, place));
+        const double dx = ax + t * ex;
+        const double dy = ay + t * ey;
+        distance2[k] = dx * dx + dy * dy;
+        along[k] = t;
+    }
+}
+
+TT_CLONES NearestPoint nearest_of(const double* x, const double* y, Vec2 point, double segments_count) {
+    double distance2[window];
+    double along[window];
+    measure_window(x, y, point, segments_count, distance2, along);
+    double smallest = distance2[0];
+    for (int k = 1; k < window; ++k) smallest = std::min(smallest, distance2[k]);
+    int at = 0;
+    for (int k = window - 1; k >= 0; --k) at = distance2[k] == smallest ? k : at;
+    return {smallest, at, along[at]};
+}
+
+/// Is `a` nearer, or as near and before `b`?
+bool before(const NearestPoint& a, const NearestPoint& b) {
+    return a.distance2 < b.distance2 || (a.distance2 == b.distance2 && a.segment < b.segment);
+}
+
+TT_CLONES void lower_bounds(const SegmentBoxes& boxes, Vec2 point, double slack, double* lower) {
+    const int count = boxes.count();
+    for (int b = 0; b < count; ++b) {
+        const double dx = std::max(0.0, std::max(boxes.low_x[b] - point.x, point.x - boxes.high_x[b]));
+        const double dy = std::max(0.0, std::max(boxes.low_y[b] - point.y, point.y - boxes.high_y[b]));
+        lower[b] = std::max(0.0, std::sqrt(dx * dx + dy * dy) - slack);
+    }
+}
+
+/// The same for a window that reaches past the end of the outline.
+NearestPoint nearest_across_start(const Outline& outline, Vec2 point, int first, double segments_count) {
+    const int size = outline.size();
+    double x[window + 1], y[window + 1];
+    for (int k = 0; k <= window; ++k) {
+        const int node = (first + k) % size;
+        x[k] = outline.x[node];
+        y[k] = outline.y[node];
+    }
+    double distance2[window], along[window];
+    measure_window(x, y, point, segments_count, distance2, along);
+    NearestPoint best{distance2[0], first % size, along[0]};
+    for (int k = 1; k < window; ++k) {
+        const NearestPoint found{distance2[k], (first + k) % size, along[k]};
+        if (before(found, best)) best = found;
+    }
+    return best;
+}
+
+/// First segment of the window with segment `at` in its middle.
+int window_around(const NearestPoint& at, int size) {
+    const int first = at.segment - (at.along < 0.5 ? window / 2 : window / 2 - 1);
+    return first < 0 ? first + size : first;
+}
+
+/// Smallest distance of the segments of one box that are not in the window.
+double nearest_outside(const Outline& outline, Vec2 point, Nearest nearest, int box, int window_first) {
+    double smallest = HUGE_VAL;
+    const int size = outline.size();
+    const int end = std::min(size, (box + 1) * window);
+    for (int k = box * window; k < end; ++k) {
+        const int offset = k - window_first + (k < window_first ? size : 0);
+        if (offset < window) continue;
+        const Vec2 a = outline[k];
+        const Vec2 edge = outline[k + 1 < size ? k + 1 : 0] - a;
+        const double place = dot(point - a, edge) / std::max(dot(edge, edge), 1e-300);
+        const double t = nearest == Nearest::segment ? std::clamp(place, 0.0, 1.0) : 0.0;
+        smallest = std::min(smallest, norm(point - a - t * edge));
+    }
+    return smallest;
+}
+
+}  // namespace
+
+NearestPoint nearest_in_window(const Outline& outline, Vec2 point, int first, Nearest nearest) {
+    const int size = outline.size();
+    const double segments_count = nearest == Nearest::segment ? 1.0 : 0.0;
+    if (first + window < size) {
+        NearestPoint found = nearest_of(outline.x.data() + first, outline.y.data() + first, point, segments_count);
+        found.segment += first;
+        return found;
+    }
+    return nearest_across_start(outline, point, first, segments_count);
+}
+
+void set_boxes(const Outline& outline, SegmentBoxes& boxes) {
+    const int size = outline.size();
+    const std::size_t count = (size + window - 1) / window;
+    for (auto* side : {&boxes.low_x, &boxes.high_x, &boxes.low_y, &boxes.high_y}) side->resize(count);
+    for (std::size_t b = 0; b < count; ++b) {
+        const int begin = static_cast<int>(b) * window;
+        Vec2 low = outline[begin], high = low;
+        for (int k = begin + 1; k <= std::min(begin + window, size); ++k) {
+            const Vec2 p = outline[k < size ? k : 0];
+            low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+            high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+        }
+        boxes.low_x[b] = low.x;
+        boxes.low_y[b] = low.y;
+        boxes.high_x[b] = high.x;
+        boxes.high_y[b] = high.y;
+    }
+}
+
+SearchResult search_nearest(const Outline& outline, const SegmentBoxes& boxes, Vec2 drift, double slack, Vec2 point,
+                            Nearest nearest, double horizon, std::vector<double>& lower) {
+    const int count = boxes.count();
+    lower_bounds(boxes, point - drift, slack, lower.data());
+    const int closest = static_cast<int>(std::min_element(lower.begin(), lower.begin() + count) - lower.begin());
+    NearestPoint best = nearest_in_window(outline, point, closest * window, nearest);
+    double distance = std::sqrt(best.distance2);
+    for (int b = 0; b < count; ++b) {
+        if (b == closest || lower[b] > distance) continue;
+        const NearestPoint found = nearest_in_window(outline, point, b * window, nearest);
+        if (!before(found, best)) continue;
+        best = found;
+        distance = std::sqrt(best.distance2);
+    }
+    SearchResult result{best, window_around(best, outline.size()), distance + horizon};
+    for (int b = 0; b < count; ++b) {
+        if (lower[b] >= result.outside) continue;
+        result.outside =
+            std::min(result.outside, nearest_outside(outline, point, nearest, b, result.window_first));
+    }
+    return result;
+}
+
+}  // namespace tt
