@@ -53,7 +53,7 @@ int CellBins::bin_along(double at, double period, int count) const {
 
 void CellBins::sort(const Lattice& lattice, const std::vector<Bounds>& bounds, double reach) {
     lattice_ = lattice;
-    bounds_ = &bounds;
+    bounds_ = bounds;
     reach_ = reach;
     double size = 1.0;  // boxes whose corners are two bins apart cannot be within reach
     for (const Bounds& b : bounds)
@@ -77,8 +77,8 @@ void CellBins::sort(const Lattice& lattice, const std::vector<Bounds>& bounds, d
 }
 
 void CellBins::add_images(int cell, int other, std::vector<Neighbour>& result) const {
-    const Bounds& a = (*bounds_)[cell];
-    const Bounds& b = (*bounds_)[other];
+    const Bounds& a = bounds_[cell];
+    const Bounds& b = bounds_[other];
     const Periods px = periods_near(b.low.x, b.high.x, a.low.x, a.high.x, reach_, lattice_.nx);
     Periods py = periods_near(b.low.y, b.high.y, a.low.y, a.high.y, reach_, lattice_.ny);
     if (lattice_.walls) py = {std::max(py.first, 0), std::min(py.last, 0)};

@@ -26,19 +26,21 @@ struct Neighbour {
 /// Cells sorted by the place of their bounding boxes, to find neighbours at a cost linear in the number of cells.
 class CellBins {
 public:
-    /// Sorts the cells; `bounds` is kept as a pointer. Allocates only where there are more cells or bins than before.
+    /// Sorts the cells. Allocates only where there are more cells or bins than ever before.
     void sort(const Lattice& lattice, const std::vector<Bounds>& bounds, double reach);
 
     /// Every image of every cell whose box comes within reach of the box of `cell`, by cell and shift: an order that
     /// does not depend on the bins. A cell's own images count, itself does not.
     void near(int cell, std::vector<Neighbour>& result) const;
 
+    const Bounds& bounds(int cell) const { return bounds_[cell]; }
+
 private:
     int bin_along(double at, double period, int count) const;
     void add_images(int cell, int other, std::vector<Neighbour>& result) const;
 
     Lattice lattice_;
-    const std::vector<Bounds>* bounds_ = nullptr;
+    std::vector<Bounds> bounds_;
     double reach_ = 0.0;
     int nx_ = 1, ny_ = 1;
     std::vector<std::int32_t> first_;  ///< of each bin in cells_

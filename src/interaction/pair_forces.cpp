@@ -44,7 +44,8 @@ TT_CLONES double largest_move2(const double* x, const double* y, const double* x
 
 /// Are the lists of the state given still complete? Sets `moved` of this thread's cells; the same answer on all.
 bool lists_hold(const ContactModel& model, const Suspension& cells, ContactState& contact, Vec2& drift) {
-    if (contact.listed_reach != model.reach() || contact.listed_x.size() != cells.x.size()) {
+    if (contact.listed_reach != model.reach() || contact.listed_x.size() != cells.x.size() ||
+        static_cast<int>(contact.cells.size()) != cells.cell_count()) {
         team_barrier();  // all must have looked before one of them changes it
         return false;
     }
@@ -84,7 +85,7 @@ void list_pairs(const ContactModel& model, const Suspension& cells, ContactState
     mine.pairs.clear();
     contact.bins.near(cell, mine.neighbours);
     for (const Neighbour& neighbour : mine.neighbours) {
-        const Bounds& box = contact.bounds[neighbour.cell];
+        const Bounds& box = contact.bins.bounds(neighbour.cell);
         for (int k = cells.first[cell]; k < cells.first[cell + 1]; ++k) {
             const Vec2 p = cells.position(k) - neighbour.shift;
             if (p.x < box.low.x - reach || p.x > box.high.x + reach || p.y < box.low.y - reach ||
