@@ -9,9 +9,10 @@
 #include "fluid/collide_stream.hpp"
 #include "fluid/collision/collision.hpp"
 
-/// The fluid pass against its roof: an update in place of the same arrays (nine planes read and written, force and
-/// rates read, velocity written) with next to no arithmetic, run in turn with it. Arguments: sites along x, along y,
-/// threads. Best of all repetitions, because neighbours on the machine only ever slow things down:
+/// The fluid pass against its roof: an update in place of the same arrays (nine planes read and
+/// written, force and rates read, velocity written) with next to no arithmetic, run in turn with
+/// it. Arguments: sites along x, along y, threads. Best of all repetitions, because neighbours on
+/// the machine only ever slow things down:
 ///   MLUPS      million site updates a second
 ///   roof       the same for the update kernel
 ///   of_roof    their ratio
@@ -39,8 +40,9 @@ struct Flow {
     }
 };
 
-TT_CLONES void update_row(int count, double* const* plane, const double* force_x, const double* force_y,
-                          const double* even, const double* odd, double* velocity_x, double* velocity_y) {
+TT_CLONES void update_row(int count, double* const* plane, const double* force_x,
+                          const double* force_y, const double* even, const double* odd,
+                          double* velocity_x, double* velocity_y) {
     double* const p0 = plane[0];
     double* const p1 = plane[1];
     double* const p2 = plane[2];
@@ -56,7 +58,8 @@ TT_CLONES void update_row(int count, double* const* plane, const double* force_x
         const double b = odd[i];
         velocity_x[i] = a * force_x[i];
         velocity_y[i] = b * force_y[i];
-        p0[i] *= a, p1[i] *= b, p2[i] *= a, p3[i] *= b, p4[i] *= a, p5[i] *= b, p6[i] *= a, p7[i] *= b, p8[i] *= a;
+        p0[i] *= a, p1[i] *= b, p2[i] *= a, p3[i] *= b, p4[i] *= a, p5[i] *= b, p6[i] *= a,
+            p7[i] *= b, p8[i] *= a;
     }
 }
 
@@ -68,8 +71,9 @@ void update_twice(Flow& flow) {
         for (int j = begin; j < end; ++j) {
             double* plane[d2q9::count];
             for (int k = 0; k < d2q9::count; ++k) plane[k] = flow.populations.row(k, j);
-            update_row(lattice.nx, plane, flow.force.x.row(j), flow.force.y.row(j), flow.relaxation.even.row(j),
-                       flow.relaxation.odd.row(j), flow.velocity.x.row(j), flow.velocity.y.row(j));
+            update_row(lattice.nx, plane, flow.force.x.row(j), flow.force.y.row(j),
+                       flow.relaxation.even.row(j), flow.relaxation.odd.row(j),
+                       flow.velocity.x.row(j), flow.velocity.y.row(j));
         }
         team_barrier();
     }
@@ -113,8 +117,8 @@ void fluid_pass(benchmark::State& state) {
         state.SetIterationTime(pass_time.time([&] {
             with_team(threads, [&] {
                 for (int n = 0; n < 2 * pairs; ++n) {
-                    collide_and_stream(equilibrium, boundaries, {1e-6, 0.0}, flow.force, flow.relaxation,
-                                       flow.populations, flow.velocity);
+                    collide_and_stream(equilibrium, boundaries, {1e-6, 0.0}, flow.force,
+                                       flow.relaxation, flow.populations, flow.velocity);
                     settle(exchange, flow.populations);
                 }
             });

@@ -11,7 +11,8 @@
 
 namespace tt {
 
-/// A fluid without cells, for tests: everything a pass needs, with uniform viscosity 1/6 and nothing acting.
+/// A fluid without cells, for tests: everything a pass needs, with uniform viscosity 1/6 and
+/// nothing acting.
 struct Flow {
     Lattice lattice;
     Equilibrium equilibrium = LinearEquilibrium{};
@@ -45,13 +46,14 @@ struct Flow {
     void run(long long steps) {
         Periodic exchange;
         for (long long step = 0; step < steps; ++step) {
-            collide_and_stream(equilibrium, boundaries, body_force, force, relaxation, populations, velocity);
+            collide_and_stream(equilibrium, boundaries, body_force, force, relaxation, populations,
+                               velocity);
             settle(exchange, populations);
         }
     }
 
-    /// Until the slowest shear wave between the walls, exp(−ν π² t/H²), has decayed by 40 powers of e; at least 500
-    /// steps, in which a relaxation time of 10 decays as far.
+    /// Until the slowest shear wave between the walls, exp(−ν π² t/H²), has decayed by 40 powers of
+    /// e; at least 500 steps, in which a relaxation time of 10 decays as far.
     void run_to_rest() {
         const double wave_number = std::numbers::pi / lattice.ny;
         run(500 + static_cast<long long>(40.0 / (slowest_viscosity * wave_number * wave_number)));

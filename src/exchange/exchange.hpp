@@ -6,11 +6,13 @@
 
 namespace tt {
 
-/// Brings halos in line with the sites they stand for. `fill` copies sites into halos, `fold` returns to the sites what
-/// a pass left in the halos. The one place that knows about periodicity, and later about ranks. Team functions.
+/// Brings halos in line with the sites they stand for. `fill` copies sites into halos, `fold`
+/// returns to the sites what a pass left in the halos. The one place that knows about periodicity,
+/// and later about ranks. Team functions.
 ///
-/// Populations use a halo one site deep, vector fields all of Lattice::halo. Beyond a wall there is nothing to stand
-/// for: `fill` leaves those rows alone (they stay zero), `fold` clears what a kernel spread there.
+/// Populations use a halo one site deep, vector fields all of Lattice::halo. Beyond a wall there is
+/// nothing to stand for: `fill` leaves those rows alone (they stay zero), `fold` clears what a
+/// kernel spread there.
 class Exchange {
 public:
     virtual ~Exchange() = default;
@@ -20,8 +22,8 @@ public:
     virtual void fold(VectorField& field) = 0;        ///< adds to the sites and clears the halo
 };
 
-/// Ends a pass of `collide_and_stream`: halo in line, phase flipped, so that between steps every population can be
-/// read and the next pass can start. Team function.
+/// Ends a pass of `collide_and_stream`: halo in line, phase flipped, so that between steps every
+/// population can be read and the next pass can start. Team function.
 inline void settle(Exchange& exchange, Populations& populations) {
     using Phase = Populations::Phase;
     const Phase done = populations.phase;

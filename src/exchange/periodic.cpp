@@ -8,8 +8,9 @@ namespace {
 /// n modulo count, in 0 … count − 1.
 int wrapped(int n, int count) { return ((n % count) + count) % count; }
 
-/// Calls f(i, x, y, home_x, home_y, length) for each run of halo sites of slot i that an odd pass uses: the neighbours
-/// along c_i, outside the box, of sites in it, and the sites they stand for. Each thread its share.
+/// Calls f(i, x, y, home_x, home_y, length) for each run of halo sites of slot i that an odd pass
+/// uses: the neighbours along c_i, outside the box, of sites in it, and the sites they stand for.
+/// Each thread its share.
 template <class F>
 void for_each_halo_run(const Lattice& lattice, F&& f) {
     const auto [begin, end] = team_share(lattice.ny);
@@ -68,7 +69,7 @@ void clear_row(Field& field, int j) {
     std::fill(row - Lattice::halo, row + field.lattice().nx + Lattice::halo, 0.0);
 }
 
-/// Adds the rows outside to the rows they stand for and clears them; this thread's share of columns.
+/// Adds the rows outside to the rows they stand for and clears them; a share of columns each.
 void fold_rows(Field& field) {
     const Lattice& lattice = field.lattice();
     const auto [begin, end] = team_share(lattice.nx);
@@ -86,16 +87,18 @@ void fold_rows(Field& field) {
 }  // namespace
 
 void Periodic::fill(Populations& populations) {
-    for_each_halo_run(populations.lattice(), [&](int i, int x, int y, int home_x, int home_y, int length) {
-        std::copy_n(populations.row(i, home_y) + home_x, length, populations.row(i, y) + x);
-    });
+    for_each_halo_run(
+        populations.lattice(), [&](int i, int x, int y, int home_x, int home_y, int length) {
+            std::copy_n(populations.row(i, home_y) + home_x, length, populations.row(i, y) + x);
+        });
     team_barrier();
 }
 
 void Periodic::fold(Populations& populations) {
-    for_each_halo_run(populations.lattice(), [&](int i, int x, int y, int home_x, int home_y, int length) {
-        std::copy_n(populations.row(i, y) + x, length, populations.row(i, home_y) + home_x);
-    });
+    for_each_halo_run(
+        populations.lattice(), [&](int i, int x, int y, int home_x, int home_y, int length) {
+            std::copy_n(populations.row(i, y) + x, length, populations.row(i, home_y) + home_x);
+        });
     team_barrier();
 }
 

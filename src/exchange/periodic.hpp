@@ -4,7 +4,7 @@
 
 namespace tt {
 
-/// The whole box in one process: x wraps around, y as well where the lattice has no walls. Any nx, ny ≥ 1.
+/// The whole box in one process: x wraps around, y as well where the lattice has no walls.
 class Periodic : public Exchange {
 public:
     void fill(Populations& populations) override;

@@ -4,7 +4,8 @@
 
 #include "base/vec2.hpp"
 
-/// Exact solutions of plane flow, in any consistent units. y runs from the wall at 0 to the wall at `height`.
+/// Exact solutions of plane flow, in any consistent units. y runs from the wall at 0 to the wall at
+/// `height`.
 namespace tt::analytic {
 
 /// Flow between plates that move with speeds u_b and u_t: u = u_b + (u_t − u_b) y/H.
@@ -25,8 +26,8 @@ struct TwoLayers {
     double top_viscosity;     ///< μ_t
 };
 
-/// Plates at rest below and moving with U above: the shear stress τ is uniform, τ (a/μ_b + (H − a)/μ_t) = U.
-/// u = τ y/μ_b below the interface, U − τ (H − y)/μ_t above it.
+/// Plates at rest below and moving with U above: the shear stress τ is uniform,
+/// τ (a/μ_b + (H − a)/μ_t) = U; u = τ y/μ_b below the interface, U − τ (H − y)/μ_t above it.
 inline double couette(double y, const TwoLayers& layers, double top_speed) {
     const double stress = top_speed / (layers.interface / layers.bottom_viscosity +
                                        (layers.height - layers.interface) / layers.top_viscosity);
@@ -42,9 +43,9 @@ inline double couette(double y, const TwoLayers& layers, double top_speed) {
 inline double poiseuille(double y, const TwoLayers& layers, double force) {
     const double a = layers.interface;
     const double h = layers.height;
-    const double wall_stress = 0.5 * force *
-                               (a * a / layers.bottom_viscosity + (h * h - a * a) / layers.top_viscosity) /
-                               (a / layers.bottom_viscosity + (h - a) / layers.top_viscosity);
+    const double wall_stress =
+        0.5 * force * (a * a / layers.bottom_viscosity + (h * h - a * a) / layers.top_viscosity) /
+        (a / layers.bottom_viscosity + (h - a) / layers.top_viscosity);
     if (y <= a) return (wall_stress * y - 0.5 * force * y * y) / layers.bottom_viscosity;
     return (0.5 * force * (h * h - y * y) - wall_stress * (h - y)) / layers.top_viscosity;
 }
@@ -52,19 +53,24 @@ inline double poiseuille(double y, const TwoLayers& layers, double force) {
 /// Taylor–Green vortices of wave numbers k, q at time t, exact for Stokes and Navier–Stokes flow:
 ///
 ///     u = U (−cos kx sin qy, (k/q) sin kx cos qy) exp(−ν (k² + q²) t).
-inline Vec2 taylor_green(Vec2 x, Vec2 wave_number, double speed, double kinematic_viscosity, double time) {
+inline Vec2 taylor_green(Vec2 x, Vec2 wave_number, double speed, double kinematic_viscosity,
+                         double time) {
     const double k = wave_number.x;
     const double q = wave_number.y;
     const double now = speed * std::exp(-kinematic_viscosity * (k * k + q * q) * time);
-    return {-now * std::cos(k * x.x) * std::sin(q * x.y), now * k / q * std::sin(k * x.x) * std::cos(q * x.y)};
+    return {-now * std::cos(k * x.x) * std::sin(q * x.y),
+            now * k / q * std::sin(k * x.x) * std::cos(q * x.y)};
 }
 
-/// Its pressure in Navier–Stokes flow, p = −¼ ρ U² (cos 2kx + (k/q)² cos 2qy) exp(−2ν (k² + q²) t); zero in Stokes flow.
-inline double taylor_green_pressure(Vec2 x, Vec2 wave_number, double speed, double kinematic_viscosity, double time) {
+/// Its pressure in Navier–Stokes flow, p = −¼ ρ U² (cos 2kx + (k/q)² cos 2qy) exp(−2ν (k² + q²) t);
+/// zero in Stokes flow.
+inline double taylor_green_pressure(Vec2 x, Vec2 wave_number, double speed,
+                                    double kinematic_viscosity, double time) {
     const double k = wave_number.x;
     const double q = wave_number.y;
     const double now = speed * std::exp(-kinematic_viscosity * (k * k + q * q) * time);
-    return -0.25 * now * now * (std::cos(2.0 * k * x.x) + k * k / (q * q) * std::cos(2.0 * q * x.y));
+    return -0.25 * now * now *
+           (std::cos(2.0 * k * x.x) + k * k / (q * q) * std::cos(2.0 * q * x.y));
 }
 
 }  // namespace tt::analytic

@@ -13,7 +13,7 @@ namespace tt {
 /// One row of sites as the collision sees it: pointers to the first of `count` sites.
 struct RowOfSites {
     int count;
-    std::array<double*, d2q9::count> at;  ///< Populations::arrivals: i arrives there, opposite(i) departs there
+    std::array<double*, d2q9::count> at;  ///< Populations::arrivals
     const double* force_x;
     const double* force_y;
     Vec2 body_force;
@@ -25,17 +25,19 @@ struct RowOfSites {
 
 /// Collides one row in place.
 ///
-/// Two relaxation times work on pairs of opposite populations: with s = f_i + f_ī and d = f_i − f_ī,
+/// Two relaxation times work on pairs of opposite populations: with s = f_i + f_ī, d = f_i − f_ī,
 ///
-///     g_i, g_ī = ½(s′ ± d′),   s′ = s − ω⁺ (s − s^eq) + (1 − ω⁺/2) s^B,   d′ = d − ω⁻ (d − d^eq) + (1 − ω⁻/2) d^B,
+///     g_i, g_ī = ½(s′ ± d′),
+///     s′ = s − ω⁺ (s − s^eq) + (1 − ω⁺/2) s^B,
+///     d′ = d − ω⁻ (d − d^eq) + (1 − ω⁻/2) d^B,
 ///
-/// s^B, d^B being the parts of Guo's forcing. With momentum m = Σ f c + ½F all equilibria share d^eq = 6 w_i c_i·m and
-/// d^B = 6 w_i c_i·F, so that ½F drops out of the odd part:
+/// s^B, d^B being the parts of Guo's forcing. With momentum m = Σ f c + ½F all equilibria share
+/// d^eq = 6 w_i c_i·m and d^B = 6 w_i c_i·F, so that ½F drops out of the odd part:
 ///
 ///     ½d′ = ½(1 − ω⁻) d + 3 w_i c_i·(ω⁻ Σ f c + F).
 ///
-/// Even part: ½s′ = ½(1 − ω⁺) s + w_i e_i with e_i = ω⁺ δρ in the linear equilibrium; the others add, with
-/// v = ω⁺ m + (2 − ω⁺) F, which joins the quadratic terms of f^eq and of the forcing,
+/// Even part: ½s′ = ½(1 − ω⁺) s + w_i e_i with e_i = ω⁺ δρ in the linear equilibrium; the others
+/// add, with v = ω⁺ m + (2 − ω⁺) F, which joins the quadratic terms of f^eq and of the forcing,
 ///
 ///     e_i = ω⁺ δρ + 9/2 (c_i·u)(c_i·v) − 3/2 u·v.
 ///

@@ -6,9 +6,9 @@
 
 namespace tt {
 
-void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& boundaries, Vec2 body_force,
-                        const VectorField& force, const Relaxation& relaxation, Populations& populations,
-                        VectorField& velocity) {
+void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& boundaries,
+                        Vec2 body_force, const VectorField& force, const Relaxation& relaxation,
+                        Populations& populations, VectorField& velocity) {
     const Lattice& lattice = populations.lattice();
     TT_EXPECTS(force.x.lattice() == lattice && velocity.x.lattice() == lattice);
     TT_EXPECTS(relaxation.even.lattice() == lattice && relaxation.odd.lattice() == lattice);

@@ -11,18 +11,22 @@
 namespace tt {
 
 /// One fused collision and streaming pass (Eqs. 1–4), in place, walls and pressure ends included.
-///   in:  force (per site, membrane), body_force (uniform), relaxation, populations (halo filled in phase odd)
-///   out: what departs, in the layout of the next phase; velocity u = (Σ f c + ½F)/ρ at the old time, halo untouched
-/// Guo's forcing (Eq. 3 as corrected) split into its even and odd part, each with its own rate. Team function.
-/// `settle` (exchange.hpp) then flips the phase and brings the halo in line.
-void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& boundaries, Vec2 body_force,
-                        const VectorField& force, const Relaxation& relaxation, Populations& populations,
-                        VectorField& velocity);
+///   in:  force (per site, membrane), body_force (uniform), relaxation,
+///        populations (halo filled in phase odd)
+///   out: what departs, in the layout of the next phase;
+///        velocity u = Σ f c + ½F (÷ ρ in the full equilibrium) at the old time, halo untouched
+/// Guo's forcing (Eq. 3 as corrected) split into its even and odd part, each with its own rate.
+/// Team function. `settle` (exchange.hpp) then flips the phase and brings the halo in line.
+void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& boundaries,
+                        Vec2 body_force, const VectorField& force, const Relaxation& relaxation,
+                        Populations& populations, VectorField& velocity);
 
-/// The same pass written plainly, out of place and site by site: the oracle of the fast one. Serial and slow; takes
-/// either phase, needs no halo (it wraps x, and y where there are no walls), and leaves phase even.
-void collide_and_stream_reference(const Equilibrium& equilibrium, const Boundaries& boundaries, Vec2 body_force,
-                                  const VectorField& force, const Relaxation& relaxation, Populations& populations,
+/// The same pass written plainly, out of place and site by site: the oracle of the fast one. Serial
+/// and slow; takes either phase, needs no halo (it wraps x, and y where there are no walls), and
+/// leaves phase even.
+void collide_and_stream_reference(const Equilibrium& equilibrium, const Boundaries& boundaries,
+                                  Vec2 body_force, const VectorField& force,
+                                  const Relaxation& relaxation, Populations& populations,
                                   VectorField& velocity);
 
 }  // namespace tt

@@ -15,7 +15,8 @@ Nine arriving_at(const Populations& populations, int x, int y) {
     const Lattice& lattice = populations.lattice();
     Nine f{};
     for (int i = 0; i < d2q9::count; ++i) {
-        const bool home = populations.phase == Populations::Phase::even || populations.wall_between(y, -d2q9::cy[i]);
+        const bool home = populations.phase == Populations::Phase::even ||
+                          populations.wall_between(y, -d2q9::cy[i]);
         f[i] = home ? populations.slot(i, x, y)
                     : populations.slot(d2q9::opposite[i], wrapped(x - d2q9::cx[i], lattice.nx),
                                        wrapped(y - d2q9::cy[i], lattice.ny));
@@ -23,8 +24,11 @@ Nine arriving_at(const Populations& populations, int x, int y) {
     return f;
 }
 
-/// Eqs. 1–4 with two rates: g_i = f_i − ω⁺ (f_i⁺ − f_i^eq⁺) − ω⁻ (f_i⁻ − f_i^eq⁻) + (1 − ω⁺/2) B_i⁺ + (1 − ω⁻/2) B_i⁻,
-/// where a_i^± = ½(a_i ± a_ī). Returns g and sets u.
+/// Eqs. 1–4 with two rates, where a_i^± = ½(a_i ± a_ī):
+///
+///     g_i = f_i − ω⁺ (f_i⁺ − f_i^eq⁺) − ω⁻ (f_i⁻ − f_i^eq⁻) + (1 − ω⁺/2) B_i⁺ + (1 − ω⁻/2) B_i⁻.
+///
+/// Returns g and sets u.
 template <class AnEquilibrium>
 Nine collided(AnEquilibrium kind, const Nine& f, Vec2 force, double even, double odd, Vec2& u) {
     double density_deviation = 0.0;
@@ -51,8 +55,8 @@ Nine collided(AnEquilibrium kind, const Nine& f, Vec2 force, double even, double
     return g;
 }
 
-/// Sends g away from site (x, y) into `next`, phase even: to the neighbour, through a periodic end, or half-way back
-/// from a wall.
+/// Sends g away from site (x, y) into `next`, phase even: to the neighbour, through a periodic end,
+/// or half-way back from a wall.
 void stream(const Boundaries& boundaries, const Nine& g, int x, int y, Populations& next) {
     const Lattice& lattice = next.lattice();
     for (int i = 0; i < d2q9::count; ++i) {
@@ -60,7 +64,8 @@ void stream(const Boundaries& boundaries, const Nine& g, int x, int y, Populatio
         const int to_y = y + d2q9::cy[i];
         if (next.wall_between(y, d2q9::cy[i])) {
             const double wall_speed = to_y < 0 ? boundaries.bottom_speed : boundaries.top_speed;
-            next.slot(d2q9::opposite[i], x, y) = g[i] - 6.0 * d2q9::weight[i] * along(i, {wall_speed, 0.0});
+            next.slot(d2q9::opposite[i], x, y) =
+                g[i] - 6.0 * d2q9::weight[i] * along(i, {wall_speed, 0.0});
             continue;
         }
         double gain = 0.0;
@@ -72,8 +77,9 @@ void stream(const Boundaries& boundaries, const Nine& g, int x, int y, Populatio
 
 }  // namespace
 
-void collide_and_stream_reference(const Equilibrium& equilibrium, const Boundaries& boundaries, Vec2 body_force,
-                                  const VectorField& force, const Relaxation& relaxation, Populations& populations,
+void collide_and_stream_reference(const Equilibrium& equilibrium, const Boundaries& boundaries,
+                                  Vec2 body_force, const VectorField& force,
+                                  const Relaxation& relaxation, Populations& populations,
                                   VectorField& velocity) {
     const Lattice& lattice = populations.lattice();
     Populations next(lattice);

@@ -7,14 +7,15 @@
 
 namespace tt {
 
-/// f_i^eq = w_i [ δρ + 3 u·c_i ]: Stokes flow. No u² terms, no u·F terms; with it the Reynolds number may be raised
-/// without the advection term ever appearing.
+/// f_i^eq = w_i [ δρ + 3 u·c_i ]: Stokes flow. No u² terms, no u·F terms; with it the Reynolds
+/// number may be raised without the advection term ever appearing.
 struct LinearEquilibrium {};
 
-/// f_i^eq = w_i [ δρ + 3 u·c_i + 9/2 (u·c_i)² − 3/2 u² ] (He and Luo 1997): Navier–Stokes, momentum ρ₀u with ρ₀ = 1.
+/// f_i^eq = w_i [ δρ + 3 u·c_i + 9/2 (u·c_i)² − 3/2 u² ] (He and Luo 1997): Navier–Stokes, momentum
+/// ρ₀u with ρ₀ = 1.
 struct IncompressibleEquilibrium {};
 
-/// f_i^eq = w_i ρ [ 1 + 3 u·c_i + 9/2 (u·c_i)² − 3/2 u² ]: Eq. 2 of the paper; one division a site more.
+/// f_i^eq = w_i ρ [ 1 + 3 u·c_i + 9/2 (u·c_i)² − 3/2 u² ]: Eq. 2 of the paper; one division more.
 struct FullEquilibrium {};
 
 using Equilibrium = std::variant<LinearEquilibrium, IncompressibleEquilibrium, FullEquilibrium>;
@@ -33,7 +34,8 @@ inline double population(IncompressibleEquilibrium, int i, double density_deviat
 inline double population(FullEquilibrium, int i, double density_deviation, Vec2 u) {
     const double cu = along(i, u);
     const double density = 1.0 + density_deviation;
-    return d2q9::weight[i] * (density_deviation + density * (3.0 * cu + 4.5 * cu * cu - 1.5 * dot(u, u)));
+    return d2q9::weight[i] *
+           (density_deviation + density * (3.0 * cu + 4.5 * cu * cu - 1.5 * dot(u, u)));
 }
 
 /// Velocity that belongs to momentum Σ f c + ½F (Eq. 4).
@@ -43,14 +45,15 @@ inline Vec2 velocity(FullEquilibrium, double density_deviation, Vec2 momentum) {
     return momentum / (1.0 + density_deviation);
 }
 
-/// Guo's forcing term before the factor (1 − ω/2) (Eq. 3, corrected): w_i [ 3 (c_i − u) + 9 (c_i·u) c_i ] · F;
-/// in Stokes flow w_i 3 c_i·F.
+/// Guo's forcing term before the factor (1 − ω/2) (Eq. 3, corrected):
+/// w_i [ 3 (c_i − u) + 9 (c_i·u) c_i ] · F; in Stokes flow w_i 3 c_i·F.
 inline double forcing(LinearEquilibrium, int i, Vec2, Vec2 force) {
     return d2q9::weight[i] * 3.0 * along(i, force);
 }
 template <class OtherEquilibrium>
 double forcing(OtherEquilibrium, int i, Vec2 u, Vec2 force) {
-    return d2q9::weight[i] * (3.0 * (along(i, force) - dot(u, force)) + 9.0 * along(i, u) * along(i, force));
+    return d2q9::weight[i] *
+           (3.0 * (along(i, force) - dot(u, force)) + 9.0 * along(i, u) * along(i, force));
 }
 
 }  // namespace tt

@@ -15,7 +15,8 @@ Moments moments(const Populations& populations, int i, int j) {
     return m;
 }
 
-void set_equilibrium(const Equilibrium& equilibrium, const VectorField& velocity, Populations& populations) {
+void set_equilibrium(const Equilibrium& equilibrium, const VectorField& velocity,
+                     Populations& populations) {
     const Lattice& lattice = populations.lattice();
     populations.phase = Populations::Phase::even;
     std::visit(

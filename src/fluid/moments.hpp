@@ -14,10 +14,13 @@ struct Moments {
     double xx = 0.0, xy = 0.0, yy = 0.0;  ///< Σ (f − w) c c
 };
 
-/// Moments of the populations arriving at site (i, j). In phase odd the halo must be filled (`settle` leaves it so).
+/// Moments of the populations arriving at site (i, j). In phase odd the halo must be filled
+/// (`settle` leaves it so).
 Moments moments(const Populations& populations, int i, int j);
 
-/// Sets every site to density 1 and the equilibrium of the given velocity (zero: at rest); phase even. Serial.
-void set_equilibrium(const Equilibrium& equilibrium, const VectorField& velocity, Populations& populations);
+/// Sets every site to density 1 and the equilibrium of the given velocity (zero: at rest); phase
+/// even. Serial.
+void set_equilibrium(const Equilibrium& equilibrium, const VectorField& velocity,
+                     Populations& populations);
 
 }  // namespace tt

@@ -5,9 +5,9 @@ namespace {
 
 constexpr std::size_t doubles_per_page = 512;
 constexpr std::size_t doubles_per_line = 8;
-/// Lines by which one plane is shifted against the one before it, modulo a page. Nine planes that start at the same
-/// offset of a 4 KiB page would share the sets of the first-level cache and stall loads behind unrelated stores;
-/// seven lines spread them over the 64 lines of a page.
+/// Lines by which one plane is shifted against the one before it, modulo a page. Nine planes that
+/// start at the same offset of a 4 KiB page would share the sets of the first-level cache and stall
+/// loads behind unrelated stores; seven lines spread them over the 64 lines of a page.
 constexpr std::size_t stagger_lines = 7;
 
 std::size_t plane_pitch(const Lattice& lattice) {

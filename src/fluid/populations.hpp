@@ -9,18 +9,20 @@
 
 namespace tt {
 
-/// The nine populations per site, stored as f_i − w_i (so that rounding is relative to the deviation from rest,
-/// not to ρ = 1), one plane per velocity, streamed in place by the AA pattern (Bailey et al. 2009):
+/// The nine populations per site, stored as f_i − w_i (so that rounding is relative to the
+/// deviation from rest, not to ρ = 1), one plane per velocity, streamed in place by the AA pattern
+/// (Bailey et al. 2009):
 ///
 /// - phase even: the population arriving at site x along c_i lies in slot i of x itself;
 /// - phase odd: it lies in slot opposite(i) of site x − c_i, where the even pass left it.
 ///
-/// In both phases a pass reads what arrives along c_i and leaves what departs along the *opposite* direction in that
-/// same place (`arrivals`), and the phases take turns. Every slot is read and written by exactly one site, so the
-/// update is in place, in any order, on any number of threads.
+/// In both phases a pass reads what arrives along c_i and leaves what departs along the *opposite*
+/// direction in that same place (`arrivals`), and the phases take turns. Every slot is read and
+/// written by exactly one site, so the update is in place, in any order, on any number of threads.
 ///
-/// Half-way bounce-back needs no pass of its own: where x − c_i lies beyond a wall, what departs into the wall is
-/// left in slot i of the site itself in both phases, where the same site finds it coming back.
+/// Half-way bounce-back needs no pass of its own: where x − c_i lies beyond a wall, what departs
+/// into the wall is left in slot i of the site itself in both phases, where the same site finds it
+/// coming back.
 class Populations {
 public:
     enum class Phase : std::uint8_t { even, odd };
@@ -41,17 +43,17 @@ public:
     double& slot(int i, int x, int y) { return plane_[i][lattice_.index(x, y)]; }
     double slot(int i, int x, int y) const { return plane_[i][lattice_.index(x, y)]; }
 
-    /// arrivals(i, j)[x] is the population arriving at site (x, j) along c_i, in either phase, and the place where
-    /// the pass leaves the one that departs from (x, j) along opposite(i). In phase odd it may lie in the halo.
-    double* arrivals(int i, int j) {
-        const int s = d2q9::opposite[i];
-        return found_at_home(i, j) ? row(i, j) : row(s, j - d2q9::cy[i]) - d2q9::cx[i];
-    }
-    const double* arrivals(int i, int j) const { return const_cast<Populations*>(this)->arrivals(i, j); }
-    /// departures(i, j)[x] is where the pass leaves the population that departs from site (x, j) along c_i.
+    /// arrivals(i, j)[x] is the population arriving at site (x, j) along c_i, in either phase, and
+    /// the place where the pass leaves the one that departs from (x, j) along opposite(i). In phase
+    /// odd it may lie in the halo.
+    double* arrivals(int i, int j) { return arrival_row(i, j); }
+    const double* arrivals(int i, int j) const { return arrival_row(i, j); }
+    /// departures(i, j)[x] is where the pass leaves the population that departs from site (x, j)
+    /// along c_i.
     double* departures(int i, int j) { return arrivals(d2q9::opposite[i], j); }
 
-    /// Population arriving at site (x, y) along c_i, less w_i. In phase odd the halo must be filled.
+    /// Population arriving at site (x, y) along c_i, less w_i. In phase odd the halo must be
+    /// filled.
     double arriving(int i, int x, int y) const { return arrivals(i, y)[x]; }
 
     /// Is there a wall between row j and row j + dy, dy = −1, 0 or 1?
@@ -66,6 +68,10 @@ public:
 private:
     bool found_at_home(int i, int j) const {
         return phase == Phase::even || wall_between(j, -d2q9::cy[i]);
+    }
+    double* arrival_row(int i, int j) const {
+        if (found_at_home(i, j)) return plane_[i] + lattice_.index(0, j);
+        return plane_[d2q9::opposite[i]] + lattice_.index(-d2q9::cx[i], j - d2q9::cy[i]);
     }
     void place_planes();
 

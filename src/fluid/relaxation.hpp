@@ -4,10 +4,10 @@
 
 namespace tt {
 
-/// Relaxation rates per site: `even` = 1/τ⁺ relaxes the symmetric part of the populations and sets the viscosity,
-/// `odd` = 1/τ⁻ the antisymmetric part. BGK is the case odd = even, TRT ties them by
-/// (τ⁺ − ½)(τ⁻ − ½) = Λ. Stored, not derived in the kernel, because two divisions a site would cost as much as
-/// the rest of the collision.
+/// Relaxation rates per site: `even` = 1/τ⁺ relaxes the symmetric part of the populations and sets
+/// the viscosity, `odd` = 1/τ⁻ the antisymmetric part. BGK is the case odd = even, TRT ties them by
+/// (τ⁺ − ½)(τ⁻ − ½) = Λ. Stored, not derived in the kernel, because two divisions a site would cost
+/// as much as the rest of the collision.
 struct Relaxation {
     Field even;
     Field odd;

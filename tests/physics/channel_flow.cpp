@@ -24,7 +24,8 @@ double poiseuille_error(int height, Collision collision, double viscosity) {
 TEST(ChannelFlow, poiseuille_with_magic_3_16_is_exact_at_any_viscosity) {
     for (const double viscosity : {0.02, 1.0 / 6.0, 1.0}) {
         for (const int height : {3, 8, 13}) {
-            EXPECT_LT(poiseuille_error(height, Trt{}, viscosity), 1e-12) << height << " sites, " << viscosity;
+            EXPECT_LT(poiseuille_error(height, Trt{}, viscosity), 1e-12)
+                << height << " sites, " << viscosity;
         }
     }
 }
@@ -32,8 +33,8 @@ TEST(ChannelFlow, poiseuille_with_magic_3_16_is_exact_at_any_viscosity) {
 TEST(ChannelFlow, poiseuille_with_one_relaxation_time_converges_at_second_order) {
     std::vector<double> errors;
     for (const int height : {8, 16, 32}) errors.push_back(poiseuille_error(height, Bgk{}, 0.3));
-    std::printf("Poiseuille, BGK, viscosity 0.3: errors %.2e %.2e %.2e, order %.4f\n", errors[0], errors[1], errors[2],
-                observed_order(errors));
+    std::printf("Poiseuille, BGK, viscosity 0.3: errors %.2e %.2e %.2e, order %.4f\n", errors[0],
+                errors[1], errors[2], observed_order(errors));
     EXPECT_NEAR(observed_order(errors), 2.0, 0.01);
 }
 
@@ -54,12 +55,15 @@ TEST(ChannelFlow, poiseuille_slips_at_the_walls_by_the_closed_form_in_the_magic_
 }
 
 TEST(ChannelFlow, couette_between_moving_walls_is_exact) {
-    for (const Equilibrium& equilibrium : {Equilibrium{LinearEquilibrium{}}, Equilibrium{IncompressibleEquilibrium{}}}) {
+    for (const Equilibrium& equilibrium :
+         {Equilibrium{LinearEquilibrium{}}, Equilibrium{IncompressibleEquilibrium{}}}) {
         Flow flow({5, 9, true});
         flow.equilibrium = equilibrium;
         flow.boundaries = {-0.03, 0.05, 0.0};
         flow.run_to_rest();
-        EXPECT_LT(profile_error(flow, [](double y) { return analytic::couette(y, 9.0, -0.03, 0.05); }), 1e-12);
+        EXPECT_LT(
+            profile_error(flow, [](double y) { return analytic::couette(y, 9.0, -0.03, 0.05); }),
+            1e-12);
     }
 }
 
@@ -86,7 +90,8 @@ double two_layer_poiseuille_error(int height, Collision collision) {
     flow.body_force.x = 0.01 / (height * height);
     flow.run_to_rest();
     return profile_error(flow, [&](double y) {
-        return analytic::poiseuille(y, {double(height), double(height / 4), 0.2, 1.0}, flow.body_force.x);
+        return analytic::poiseuille(y, {double(height), double(height / 4), 0.2, 1.0},
+                                    flow.body_force.x);
     });
 }
 
@@ -97,7 +102,8 @@ TEST(ChannelFlow, poiseuille_of_two_layers_with_magic_3_16_is_exact) {
 TEST(ChannelFlow, poiseuille_of_two_layers_otherwise_converges_at_second_order) {
     for (const Collision& collision : {Collision{Trt{0.25}}, Collision{Bgk{}}}) {
         std::vector<double> errors;
-        for (const int height : {8, 16, 32}) errors.push_back(two_layer_poiseuille_error(height, collision));
+        for (const int height : {8, 16, 32})
+            errors.push_back(two_layer_poiseuille_error(height, collision));
         std::printf("two-layer Poiseuille, ratio 5, %s: errors %.2e %.2e %.2e, order %.4f\n",
                     collision.index() == 0 ? "magic 1/4" : "BGK", errors[0], errors[1], errors[2],
                     observed_order(errors));

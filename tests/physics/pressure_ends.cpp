@@ -35,7 +35,8 @@ double difference(const Flow& a, const Flow& b) {
 }
 
 TEST(PressureEnds, drive_the_same_flow_as_a_body_force) {
-    for (const Equilibrium& equilibrium : {Equilibrium{LinearEquilibrium{}}, Equilibrium{IncompressibleEquilibrium{}}}) {
+    for (const Equilibrium& equilibrium :
+         {Equilibrium{LinearEquilibrium{}}, Equilibrium{IncompressibleEquilibrium{}}}) {
         const Flow by_pressure = driven(equilibrium, drop, 0.0);
         const Flow by_force = driven(equilibrium, 0.0, drop / length);
         std::printf("pressure ends against body force: %.1e\n", difference(by_pressure, by_force));
@@ -54,7 +55,7 @@ TEST(PressureEnds, pressure_falls_evenly_from_inlet_to_outlet) {
     }
 }
 
-TEST(PressureEnds, compressible_flow_keeps_its_momentum_and_departs_in_velocity_by_half_the_density_drop) {
+TEST(PressureEnds, compressible_flow_keeps_the_momentum_and_is_off_by_half_the_density_drop) {
     const Flow by_pressure = driven(FullEquilibrium{}, drop, 0.0);
     const Flow by_force = driven(FullEquilibrium{}, 0.0, drop / length);
     const double relative = difference(by_pressure, by_force) / (3.0 * drop);
@@ -65,7 +66,8 @@ TEST(PressureEnds, compressible_flow_keeps_its_momentum_and_departs_in_velocity_
     for (int j = 0; j < height; ++j) {
         for (int i = 0; i < length; ++i) {
             const Vec2 momentum = moments(by_pressure.populations, i, j).momentum;
-            worst = std::max(worst, norm(momentum - by_force.velocity(i, j)) / by_force.velocity.x(i, height / 2));
+            worst = std::max(worst, norm(momentum - by_force.velocity(i, j)) /
+                                        by_force.velocity.x(i, height / 2));
         }
     }
     std::printf("compressible: momentum off by %.1e of itself\n", worst);

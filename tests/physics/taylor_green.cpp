@@ -11,7 +11,8 @@ namespace {
 
 using namespace tt;
 
-/// Relative error of vortices in a box of `size` × `size` sites, velocity ∝ 1/size, after they decayed to 1/e.
+/// Relative error of vortices in a box of `size` × `size` sites, velocity ∝ 1/size, after they
+/// decayed to 1/e.
 double decay_error(const Equilibrium& equilibrium, int size) {
     constexpr double viscosity = 0.1;
     Flow flow({size, size, false});
@@ -30,14 +31,16 @@ double decay_error(const Equilibrium& equilibrium, int size) {
         }
     }
     set_equilibrium(equilibrium, flow.velocity, flow.populations);
-    // Without its pressure Navier–Stokes flow would start with sound waves, a relative error of the order of Ma.
+    // Without its pressure Navier–Stokes flow would start with sound waves, a relative error of the
+    // order of Ma.
     if (equilibrium.index() != 0) {
         for (int k = 0; k < d2q9::count; ++k) {
             for (int j = 0; j < size; ++j) {
                 for (int i = 0; i < size; ++i) {
                     flow.populations.slot(k, i, j) +=
                         d2q9::weight[k] * 3.0 *
-                        analytic::taylor_green_pressure(Lattice::position(i, j), {w, w}, speed, viscosity, 0.0);
+                        analytic::taylor_green_pressure(Lattice::position(i, j), {w, w}, speed,
+                                                        viscosity, 0.0);
                 }
             }
         }
@@ -58,13 +61,14 @@ double decay_error(const Equilibrium& equilibrium, int size) {
 }
 
 TEST(TaylorGreen, vortices_decay_at_second_order_with_every_equilibrium) {
-    const std::array<Equilibrium, 3> kinds{LinearEquilibrium{}, IncompressibleEquilibrium{}, FullEquilibrium{}};
+    const std::array<Equilibrium, 3> kinds{LinearEquilibrium{}, IncompressibleEquilibrium{},
+                                           FullEquilibrium{}};
     const std::array<const char*, 3> names{"linear", "incompressible", "full"};
     for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
         std::vector<double> errors;
         for (const int size : {16, 32, 64}) errors.push_back(decay_error(kinds[kind], size));
-        std::printf("Taylor-Green, %s: errors %.2e %.2e %.2e, order %.3f\n", names[kind], errors[0], errors[1],
-                    errors[2], observed_order(errors));
+        std::printf("Taylor-Green, %s: errors %.2e %.2e %.2e, order %.3f\n", names[kind], errors[0],
+                    errors[1], errors[2], observed_order(errors));
         EXPECT_NEAR(observed_order(errors), 2.0, 0.05) << names[kind];
     }
 }

@@ -25,7 +25,8 @@ struct Scene {
     Populations populations;
 };
 
-const std::array<Equilibrium, 3> equilibria{LinearEquilibrium{}, IncompressibleEquilibrium{}, FullEquilibrium{}};
+const std::array<Equilibrium, 3> equilibria{LinearEquilibrium{}, IncompressibleEquilibrium{},
+                                            FullEquilibrium{}};
 const std::array<Collision, 2> collisions{Trt{}, Bgk{}};
 
 int below(int n) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, n)); }
@@ -49,8 +50,10 @@ Scene random_scene() {
             s.force.y(i, j) = random.uniform(-1e-2, 1e-2);
             const double even = random.uniform(0.2, 1.9);
             s.relaxation.even(i, j) = even;
-            s.relaxation.odd(i, j) = std::visit([&](auto c) { return c.odd_rate(even); }, collision);
-            for (int k = 0; k < d2q9::count; ++k) s.populations.slot(k, i, j) = random.uniform(-0.02, 0.02);
+            s.relaxation.odd(i, j) =
+                std::visit([&](auto c) { return c.odd_rate(even); }, collision);
+            for (int k = 0; k < d2q9::count; ++k)
+                s.populations.slot(k, i, j) = random.uniform(-0.02, 0.02);
         }
     }
     return s;
@@ -62,8 +65,8 @@ VectorField run(Scene& s, int steps, int threads) {
     Periodic exchange;
     with_team(threads, [&] {
         for (int step = 0; step < steps; ++step) {
-            collide_and_stream(s.equilibrium, s.boundaries, s.body_force, s.force, s.relaxation, s.populations,
-                               velocity);
+            collide_and_stream(s.equilibrium, s.boundaries, s.body_force, s.force, s.relaxation,
+                               s.populations, velocity);
             settle(exchange, s.populations);
         }
     });
@@ -73,8 +76,8 @@ VectorField run(Scene& s, int steps, int threads) {
 VectorField run_reference(Scene& s, int steps) {
     VectorField velocity(s.lattice);
     for (int step = 0; step < steps; ++step) {
-        collide_and_stream_reference(s.equilibrium, s.boundaries, s.body_force, s.force, s.relaxation, s.populations,
-                                     velocity);
+        collide_and_stream_reference(s.equilibrium, s.boundaries, s.body_force, s.force,
+                                     s.relaxation, s.populations, velocity);
     }
     return velocity;
 }
@@ -106,7 +109,8 @@ TEST(FluidPass, fast_and_reference_pass_agree_to_rounding) {
             const VectorField u = run(fast, steps, 1);
             const VectorField v = run_reference(plain, steps);
             double worst = worst_difference(fast.populations, plain.populations);
-            for_each_site(fast.lattice, [&](int i, int j) { worst = std::max(worst, norm(u(i, j) - v(i, j))); });
+            for_each_site(fast.lattice,
+                          [&](int i, int j) { worst = std::max(worst, norm(u(i, j) - v(i, j))); });
             RC_LOG() << "worst difference " << worst << '\n';
             RC_ASSERT(worst < 2e-15);
         }));
@@ -144,7 +148,9 @@ TEST(FluidPass, conserves_mass_at_any_wall_and_end) {
         Scene s = random_scene();
         const auto mass = [&] {
             double sum = 0.0;
-            for_each_site(s.lattice, [&](int i, int j) { sum += moments(s.populations, i, j).density_deviation; });
+            for_each_site(s.lattice, [&](int i, int j) {
+                sum += moments(s.populations, i, j).density_deviation;
+            });
             return sum;
         };
         const double before = mass();
@@ -161,19 +167,23 @@ TEST(FluidPass, momentum_in_a_periodic_box_grows_by_the_sum_of_the_forces) {
             periodic.lattice.walls = false;
             periodic.populations = Populations(periodic.lattice);
             for_each_site(s.lattice, [&](int i, int j) {
-                for (int k = 0; k < d2q9::count; ++k) periodic.populations.slot(k, i, j) = s.populations.slot(k, i, j);
+                for (int k = 0; k < d2q9::count; ++k)
+                    periodic.populations.slot(k, i, j) = s.populations.slot(k, i, j);
             });
             s = periodic;
         }
         s.boundaries.pressure_drop = 0.0;
         const auto momentum = [&] {
             Vec2 sum;
-            for_each_site(s.lattice, [&](int i, int j) { sum += moments(s.populations, i, j).momentum; });
+            for_each_site(s.lattice,
+                          [&](int i, int j) { sum += moments(s.populations, i, j).momentum; });
             return sum;
         };
         Vec2 expected = momentum();
         const int steps = *rc::gen::inRange(1, 8);
-        for_each_site(s.lattice, [&](int i, int j) { expected += double(steps) * (s.force(i, j) + s.body_force); });
+        for_each_site(s.lattice, [&](int i, int j) {
+            expected += double(steps) * (s.force(i, j) + s.body_force);
+        });
         run(s, steps, 1);
         RC_ASSERT(norm(momentum() - expected) < 1e-12);
     }));

@@ -23,7 +23,8 @@ TEST(Moments, of_an_equilibrium_are_density_1_its_velocity_and_its_momentum_flux
     velocity.y(2, 1) = -0.07;
     Populations populations(lattice);
     for (const Equilibrium& equilibrium :
-         {Equilibrium{LinearEquilibrium{}}, Equilibrium{IncompressibleEquilibrium{}}, Equilibrium{FullEquilibrium{}}}) {
+         {Equilibrium{LinearEquilibrium{}}, Equilibrium{IncompressibleEquilibrium{}},
+          Equilibrium{FullEquilibrium{}}}) {
         populations.phase = Populations::Phase::odd;
         set_equilibrium(equilibrium, velocity, populations);
         EXPECT_EQ(populations.phase, Populations::Phase::even);

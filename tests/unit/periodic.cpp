@@ -10,7 +10,8 @@ namespace {
 using namespace tt;
 
 constexpr int reach = Lattice::halo;
-const std::array<Lattice, 5> lattices{{{7, 5, true}, {7, 5, false}, {1, 1, false}, {2, 1, true}, {1, 3, false}}};
+const std::array<Lattice, 5> lattices{
+    {{7, 5, true}, {7, 5, false}, {1, 1, false}, {2, 1, true}, {1, 3, false}}};
 
 /// Calls f(i, j) for every site and halo site.
 template <class F>
@@ -20,8 +21,12 @@ void for_each_place(const Lattice& lattice, F&& f) {
     }
 }
 
-bool beyond_wall(const Lattice& lattice, int j) { return lattice.walls && (j < 0 || j >= lattice.ny); }
-bool is_site(const Lattice& lattice, int i, int j) { return i >= 0 && i < lattice.nx && j >= 0 && j < lattice.ny; }
+bool beyond_wall(const Lattice& lattice, int j) {
+    return lattice.walls && (j < 0 || j >= lattice.ny);
+}
+bool is_site(const Lattice& lattice, int i, int j) {
+    return i >= 0 && i < lattice.nx && j >= 0 && j < lattice.ny;
+}
 
 VectorField random_field(const Lattice& lattice, Random& random) {
     VectorField field(lattice);
@@ -96,7 +101,8 @@ TEST(Periodic, settle_turns_the_phase_and_leaves_every_population_readable) {
         EXPECT_EQ(populations.phase, Populations::Phase::even);
         for (int k = 0; k < d2q9::count; ++k) {
             for (int j = 0; j < lattice.ny; ++j) {
-                for (int i = 0; i < lattice.nx; ++i) EXPECT_EQ(populations.slot(k, i, j), start.slot(k, i, j));
+                for (int i = 0; i < lattice.nx; ++i)
+                    EXPECT_EQ(populations.slot(k, i, j), start.slot(k, i, j));
             }
         }
     }

@@ -4,8 +4,8 @@
 
 namespace tt {
 
-/// Two relaxation times (Ginzburg 2005): (τ⁺ − ½)(τ⁻ − ½) = Λ. Λ = 3/16 puts half-way walls exactly for
-/// Poiseuille flow whatever the viscosity.
+/// Two relaxation times (Ginzburg 2005): (τ⁺ − ½)(τ⁻ − ½) = Λ. Λ = 3/16 puts half-way walls exactly
+/// for Poiseuille flow whatever the viscosity.
 struct Trt {
     double magic = 3.0 / 16.0;
     /// 1/τ⁻ that belongs to 1/τ⁺ = even.
