@@ -59,7 +59,7 @@ struct RunMeasures {
     double mach = 0.0;               ///< largest speed / sound speed
     std::int64_t overlaps = 0;       ///< nodes inside another cell
     std::int64_t repulsion_count = 0;
-    Length smallest_gap;
+    Length smallest_gap;             ///< between cells; the reach of contact where none is nearer
 };
 
 template <>
@@ -149,7 +149,8 @@ struct FieldList<RunMeasures> {
         FieldEntry{"overlaps", &R::overlaps, "nodes found inside another cell"},
         FieldEntry{"repulsion_count", &R::repulsion_count,
                    "node-steps with short-range repulsion since the start"},
-        FieldEntry{"smallest_gap", &R::smallest_gap, "smallest gap between two cells"},
+        FieldEntry{"smallest_gap", &R::smallest_gap,
+                   "smallest gap between two cells, at most the reach of contact"},
     };
 };
 

@@ -191,6 +191,7 @@ RunMeasures measure_run(const Model& model, const State& state,
     measure_shapes(cells, m);
     measure_layers(model, state, m);
     m.mach = largest_speed(state.velocity) * std::numbers::sqrt3;
+    m.overlaps = static_cast<std::int64_t>(find_overlaps(model.lattice, state.cells).size());
     m.repulsion_count = state.contact.repulsion_count;
     m.smallest_gap = model.scales.to_si<Length>(state.contact.smallest_gap);
     return m;
