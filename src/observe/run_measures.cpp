@@ -61,7 +61,7 @@ void measure_flow(const Model& model, const State& state, RunMeasures& m) {
         const Boundaries& walls = model.boundaries;
         if (walls_drive(model)) {
             viscosity = stress * width / (walls.top_speed - walls.bottom_speed);
-        } else if (gradient != 0.0) {
+        } else if (gradient != 0.0 && q != 0.0) {
             viscosity = gradient * width * width * width / (12.0 * q);
         }
     } else {

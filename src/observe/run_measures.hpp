@@ -10,8 +10,8 @@ namespace tt {
 
 /// All measures of the whole run at this step, SI (docs/theory/analysis.md). `cells` are the cells'
 /// measures of the same step, all of them. NaN stands for what is not defined: means over cells
-/// without cells, mu_app without a drive, the discharge hematocrit where walls drive the flow, the
-/// cell-free layer without walls or cells.
+/// without cells, mu_app without a drive or before anything flows, the discharge hematocrit where
+/// walls drive the flow, the cell-free layer without walls or cells.
 RunMeasures measure_run(const Model& model, const State& state,
                         std::span<const CellMeasures> cells);
 
