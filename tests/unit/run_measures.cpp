@@ -216,6 +216,16 @@ TEST(Profiles, hematocrit_profile_of_a_disc_is_its_chord_and_sums_to_the_tube_he
     EXPECT_NEAR(p.velocity[7], u, 1e-12 * u);
 }
 
+TEST(RunMeasures, overlaps_count_the_nodes_inside_another_cell) {
+    Scene scene = channel();
+    scene.add(Ellipse{{20, 30}, 10, 10, 0.0}.nodes(64));
+    scene.add(Ellipse{{39.5, 30}, 10, 10, 0.0}.nodes(64));
+    // The circles cross at cos θ = 9.75/10, θ = 0.224: nodes 0, ±1, ±2 of each, 2π/64 apart.
+    EXPECT_EQ(measured(scene).overlaps, 10);
+    for (int n = 64; n < 128; ++n) scene.state.cells.x[n] += 1.0;
+    EXPECT_EQ(measured(scene).overlaps, 0);
+}
+
 TEST(RunMeasures, inclination_is_averaged_as_an_axis_not_as_a_number) {
     Scene scene = channel();
     scene.add(Ellipse{{20, 30}, 10, 6, 85 * pi / 180}.nodes(64));
