@@ -112,7 +112,9 @@ struct NumericsCase {
     std::string equilibrium = "linear";   ///< linear (Stokes) | incompressible | full (Eq. 2)
     std::string delta = "peskin4";        ///< cosine4 | hat2 | roma3 | peskin4
     std::string interior = "scan-line";   ///< scan-line | flood-fill
-    std::string interface_viscosity = "smoothed";    ///< sharp | smoothed | …
+    std::string interface_viscosity = "area-fraction";   ///< sharp | smoothed | area-fraction
+    std::string viscosity_mean = "harmonic";   ///< harmonic | arithmetic, of a site that holds both fluids
+    bool jump_correction = true;          ///< second-order correction of slip and node velocity at membranes
     double smoothing_width = 2.0;         ///< half width in sites
     bool fluid_only = false;              ///< cells absent: plain channel
 

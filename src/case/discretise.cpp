@@ -88,6 +88,9 @@ ViscosityModel viscosity_of(const Case& c, const Choice& choice, const Scales& s
     ViscosityModel viscosity;
     if (n.interior == "flood-fill") viscosity.interior = FloodFill{};
     if (n.interface_viscosity == "smoothed") viscosity.interface = SmoothedInterface{n.smoothing_width};
+    if (n.interface_viscosity == "area-fraction") viscosity.interface = AreaFraction{};
+    viscosity.mean = HarmonicMean{};
+    if (n.viscosity_mean == "arithmetic") viscosity.mean = ArithmeticMean{};
     if (n.collision == "bgk") {
         viscosity.collision = Bgk{};
     } else {
@@ -113,6 +116,7 @@ Model discretise(const Case& c, const Choice& choice) {
     m.equilibrium = equilibrium_of(c.numerics.equilibrium);
     m.delta = delta_of(c.numerics.delta);
     m.viscosity = viscosity_of(c, choice, m.scales);
+    if (c.numerics.jump_correction) m.jump = jump_correction(m.delta, m.viscosity);
     m.membrane = membrane_of(c, choice, m.scales);
     m.contact = contact_of(c, m.scales);
     m.shear_rate = m.scales.to_lattice(choice.shear_rate);

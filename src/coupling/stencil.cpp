@@ -19,7 +19,16 @@ struct Axis {
     double period;  ///< wraps the block start into the box; 0: no wrap
     std::int32_t* start;
     double* weights;
+    double* slopes;
 };
+
+/// Slopes of the weights of one node whose second site is at distance −s: w r / Σ w r², 0 where only one site has weight.
+TT_INLINE void slope(const double* w, double s, double* slopes) {
+    double second_moment = 0.0;
+    for (int k = 0; k < reach; ++k) second_moment += w[k] * (k - 1 - s) * (k - 1 - s);
+    const double inverse = std::fabs(second_moment) > 1e-12 ? 1.0 / second_moment : 0.0;
+    for (int k = 0; k < reach; ++k) slopes[k] = w[k] * (k - 1 - s) * inverse;
+}
 
 template <class Kernel>
 TT_INLINE void weigh(const Axis& axis, int begin, int end) {
@@ -28,14 +37,18 @@ TT_INLINE void weigh(const Axis& axis, int begin, int end) {
     const double inverse = period > 0.0 ? 1.0 / period : 0.0;
     std::int32_t* const start = axis.start;
     double* const weights = axis.weights;
+    double* const slopes = axis.slopes;
 #pragma omp simd
     for (int n = begin; n < end; ++n) {
         const double wrapped = position[n] - period * std::floor(position[n] * inverse);
         const double second = std::floor(wrapped - 0.5);
-        double w[reach];
-        Kernel::weights(wrapped - 0.5 - second, w);
+        const double s = wrapped - 0.5 - second;
+        double w[reach], along[reach];
+        Kernel::weights(s, w);
+        slope(w, s, along);
         start[n] = static_cast<std::int32_t>(second) - 1;
         for (int k = 0; k < reach; ++k) weights[reach * n + k] = w[k];
+        for (int k = 0; k < reach; ++k) slopes[reach * n + k] = along[k];
     }
 }
 
@@ -101,7 +114,9 @@ Rows own_rows(VectorField& field) {
     return {begin, end, field.x.row(0), field.y.row(0), lattice.pitch()};
 }
 
-TT_CLONES void spread_rows(const Stencils& stencils, const Suspension& cells, const Rows& rows) {
+/// A node's force and dipole: on a site of weights w and slopes s the force is F wₓ wᵧ + D·(sₓ wᵧ, wₓ sᵧ).
+template <Order order>
+TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, const Rows& rows) {
     const int count = cells.node_count();
     for (int n = 0; n < count; ++n) {
         const int j0 = stencils.j[n];
@@ -109,30 +124,74 @@ TT_CLONES void spread_rows(const Stencils& stencils, const Suspension& cells, co
         const int last = std::min(rows.end - j0, reach);
         const double* const wx = &stencils.wx[reach * n];
         const double* const wy = &stencils.wy[reach * n];
+        const double* const sx = &stencils.sx[reach * n];
+        const double* const sy = &stencils.sy[reach * n];
         for (int l = first; l < last; ++l) {
             const std::ptrdiff_t at = (j0 + l) * rows.pitch + stencils.i[n];
-            const double fx = cells.fx[n] * wy[l];
-            const double fy = cells.fy[n] * wy[l];
-            for (int k = 0; k < reach; ++k) rows.x[at + k] += fx * wx[k];
-            for (int k = 0; k < reach; ++k) rows.y[at + k] += fy * wx[k];
+            double on_x = cells.fx[n] * wy[l], on_y = cells.fy[n] * wy[l];
+            if constexpr (order == Order::zeroth) {
+                for (int k = 0; k < reach; ++k) rows.x[at + k] += on_x * wx[k];
+                for (int k = 0; k < reach; ++k) rows.y[at + k] += on_y * wx[k];
+            } else {
+                on_x += cells.dipole_xy[n] * sy[l];
+                on_y -= cells.dipole_xx[n] * sy[l];
+                const double xx = cells.dipole_xx[n] * wy[l], xy = cells.dipole_xy[n] * wy[l];
+                for (int k = 0; k < reach; ++k) rows.x[at + k] += on_x * wx[k] + xx * sx[k];
+                for (int k = 0; k < reach; ++k) rows.y[at + k] += on_y * wx[k] + xy * sx[k];
+            }
         }
     }
 }
 
-TT_CLONES void interpolate_nodes(const Stencils& stencils, const double* x, const double* y, std::ptrdiff_t pitch,
-                                 double* ux, double* uy, int begin, int end) {
+TT_INLINE double sum(const double (&a)[reach], const double* w) {
+    return (a[0] * w[0] + a[1] * w[1]) + (a[2] * w[2] + a[3] * w[3]);
+}
+
+template <Order order>
+TT_INLINE void interpolate_nodes(const Stencils& stencils, const VectorField& velocity, Suspension& cells, int begin,
+                                 int end) {
+    const double* const x = velocity.x.row(0);
+    const double* const y = velocity.y.row(0);
+    const std::ptrdiff_t pitch = velocity.x.lattice().pitch();
     for (int n = begin; n < end; ++n) {
         const double* const wx = &stencils.wx[reach * n];
         const double* const wy = &stencils.wy[reach * n];
-        double sum_x[reach] = {}, sum_y[reach] = {};
+        const double* const sx = &stencils.sx[reach * n];
+        const double* const sy = &stencils.sy[reach * n];
+        // Sums along y for each column of the block: values and, for the shear rate, slopes.
+        double ux[reach] = {}, uy[reach] = {}, dx[reach] = {}, dy[reach] = {};
         for (int l = 0; l < reach; ++l) {
             const std::ptrdiff_t at = (stencils.j[n] + l) * pitch + stencils.i[n];
-            for (int k = 0; k < reach; ++k) sum_x[k] += wy[l] * x[at + k];
-            for (int k = 0; k < reach; ++k) sum_y[k] += wy[l] * y[at + k];
+            for (int k = 0; k < reach; ++k) {
+                ux[k] += wy[l] * x[at + k];
+                uy[k] += wy[l] * y[at + k];
+                if constexpr (order == Order::first) {
+                    dx[k] += sy[l] * x[at + k];
+                    dy[k] += sy[l] * y[at + k];
+                }
+            }
         }
-        ux[n] = (sum_x[0] * wx[0] + sum_x[1] * wx[1]) + (sum_x[2] * wx[2] + sum_x[3] * wx[3]);
-        uy[n] = (sum_y[0] * wx[0] + sum_y[1] * wx[1]) + (sum_y[2] * wx[2] + sum_y[3] * wx[3]);
+        cells.ux[n] = sum(ux, wx);
+        cells.uy[n] = sum(uy, wx);
+        if constexpr (order == Order::first) {
+            cells.rate_xx[n] = sum(ux, sx) - sum(dy, wx);
+            cells.rate_xy[n] = sum(dx, wx) + sum(uy, sx);
+        }
     }
+}
+
+// A function that the loader picks by processor cannot be a template: one line per order.
+TT_CLONES void spread_forces(const Stencils& w, const Suspension& s, const Rows& r) {
+    spread_nodes<Order::zeroth>(w, s, r);
+}
+TT_CLONES void spread_dipoles(const Stencils& w, const Suspension& s, const Rows& r) {
+    spread_nodes<Order::first>(w, s, r);
+}
+TT_CLONES void interpolate_velocity(const Stencils& w, const VectorField& u, Suspension& s, int begin, int end) {
+    interpolate_nodes<Order::zeroth>(w, u, s, begin, end);
+}
+TT_CLONES void interpolate_rate(const Stencils& w, const VectorField& u, Suspension& s, int begin, int end) {
+    interpolate_nodes<Order::first>(w, u, s, begin, end);
 }
 
 }  // namespace
@@ -142,19 +201,22 @@ void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
     const auto [begin, end] = team_share(cells.node_count());
     const Weigh weigh_axis = std::visit(WeighOf{}, delta);
     const double y_period = lattice.walls ? 0.0 : lattice.ny;
-    weigh_axis({cells.x.data(), static_cast<double>(lattice.nx), stencils.i.data(), stencils.wx.data()}, begin, end);
-    weigh_axis({cells.y.data(), y_period, stencils.j.data(), stencils.wy.data()}, begin, end);
+    weigh_axis({cells.x.data(), static_cast<double>(lattice.nx), stencils.i.data(), stencils.wx.data(),
+                 stencils.sx.data()}, begin, end);
+    weigh_axis({cells.y.data(), y_period, stencils.j.data(), stencils.wy.data(), stencils.sy.data()}, begin, end);
     if (lattice.walls) {
         for (int n = begin; n < end; ++n) {
             const int j = stencils.j[n];
-            if (j < 0 || j + reach > lattice.ny) make_one_sided(cells.y[n], j, lattice.ny, &stencils.wy[reach * n]);
+            if (j >= 0 && j + reach <= lattice.ny) continue;
+            make_one_sided(cells.y[n], j, lattice.ny, &stencils.wy[reach * n]);
+            slope(&stencils.wy[reach * n], cells.y[n] - (j + 1.5), &stencils.sy[reach * n]);
         }
     }
     team_barrier();
 }
 
-void spread(const Stencils& stencils, const Suspension& cells, VectorField& force) {
-    spread_rows(stencils, cells, own_rows(force));
+void spread(Order order, const Stencils& stencils, const Suspension& cells, VectorField& force) {
+    (order == Order::zeroth ? spread_forces : spread_dipoles)(stencils, cells, own_rows(force));
     team_barrier();
 }
 
@@ -183,10 +245,9 @@ void unspread(const Stencils& stencils, VectorField& force) {
     team_barrier();
 }
 
-void interpolate(const Stencils& stencils, const VectorField& velocity, Suspension& cells) {
+void interpolate(Order order, const Stencils& stencils, const VectorField& velocity, Suspension& cells) {
     const auto [begin, end] = team_share(cells.node_count());
-    interpolate_nodes(stencils, velocity.x.row(0), velocity.y.row(0), velocity.x.lattice().pitch(),
-                      cells.ux.data(), cells.uy.data(), begin, end);
+    (order == Order::zeroth ? interpolate_velocity : interpolate_rate)(stencils, velocity, cells, begin, end);
     team_barrier();
 }
 

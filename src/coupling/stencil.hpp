@@ -16,24 +16,30 @@ struct Stencils {
     static constexpr int reach = 4;
     std::vector<std::int32_t> i, j;  ///< per node: lower left site of the block
     std::vector<double> wx, wy;      ///< per node: `reach` weights along each axis
+    std::vector<double> sx, sy;      ///< per node: their slopes, w r / Σ w r² (r = site − node): exact for linear fields
 
     Stencils() = default;
     explicit Stencils(int node_count)
-        : i(node_count), j(node_count), wx(reach * node_count), wy(reach * node_count) {}
+        : i(node_count), j(node_count), wx(reach * node_count), wy(reach * node_count),
+          sx(reach * node_count), sy(reach * node_count) {}
 };
 
 /// Weights of every node. Near a wall, where the block sticks out of the fluid, the y weights are made one-sided so
 /// that force, torque and linear velocity profiles are still exact (docs/theory/coupling.md). Team function.
 void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells, Stencils& stencils);
 
-/// Eqs. 8, 9: adds the node forces to the force field, halo included (then Exchange::fold). Owner of rows: every thread
-/// adds, in node order, what falls on its own rows, so the bits do not depend on the number of threads. Team function.
-void spread(const Stencils& stencils, const Suspension& cells, VectorField& force);
+/// What a node hands to the sites and takes from them: force and velocity (Eqs. 9, 7), or also the first moment of each, which
+/// the jump correction (coupling/jump.hpp) needs where the viscosities differ.
+enum class Order : std::uint8_t { zeroth, first };
+
+/// Eqs. 8, 9: adds the node forces (and dipoles) to the force field, halo included (then Exchange::fold). Owner of rows: every
+/// thread adds, in node order, what falls on its own rows, so the bits do not depend on the number of threads. Team function.
+void spread(Order order, const Stencils& stencils, const Suspension& cells, VectorField& force);
 
 /// Zeroes the sites and halo sites that the last `spread` with these stencils touched. Team function.
 void unspread(const Stencils& stencils, VectorField& force);
 
-/// Eq. 7: node velocities from the velocity field (halo filled). Team function.
-void interpolate(const Stencils& stencils, const VectorField& velocity, Suspension& cells);
+/// Eq. 7: node velocities (and shear rates) from the velocity field (halo filled). Team function.
+void interpolate(Order order, const Stencils& stencils, const VectorField& velocity, Suspension& cells);
 
 }  // namespace tt

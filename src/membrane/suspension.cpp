@@ -33,7 +33,7 @@ void add_cell(Suspension& cells, const std::vector<Vec2>& points) {
     TT_EXPECTS(doubled_area > 0.0);
     cells.first.push_back(cells.first.back() + static_cast<std::int32_t>(n));
     for (auto* zero : {&cells.fx, &cells.fy, &cells.ux, &cells.uy, &cells.edge_x, &cells.edge_y, &cells.tension,
-                       &cells.moment}) {
+                       &cells.moment, &cells.dipole_xx, &cells.dipole_xy, &cells.rate_xx, &cells.rate_xy}) {
         zero->resize(cells.x.size(), 0.0);
     }
     for (auto* one : {&cells.length, &cells.stretch, &cells.hardening}) one->resize(cells.x.size(), 1.0);

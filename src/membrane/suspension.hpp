@@ -19,6 +19,8 @@ struct Suspension {
     std::vector<double> fx, fy;  ///< force on the fluid
     std::vector<double> ux, uy;  ///< velocity of the last step
     std::vector<double> rest_curvature;  ///< κ₀
+    std::vector<double> dipole_xx, dipole_xy;  ///< symmetric, traceless force dipole on the fluid (coupling/jump.hpp)
+    std::vector<double> rate_xx, rate_xy;      ///< ∂ₓuₓ − ∂ᵧuᵧ and ∂ᵧuₓ + ∂ₓuᵧ of the last step
 
     // Per segment, indexed by its first node.
     std::vector<double> rest_length;  ///< l₀

@@ -2,6 +2,7 @@
 
 #include "base/quantity.hpp"
 #include "coupling/delta/delta.hpp"
+#include "coupling/jump.hpp"
 #include "coupling/viscosity.hpp"
 #include "fluid/boundaries.hpp"
 #include "fluid/equilibrium.hpp"
@@ -28,6 +29,7 @@ struct Model {
     Drive drive;
     ViscosityModel viscosity;
     Delta delta;
+    JumpCorrection jump;
     Membrane membrane;
     ContactModel contact;
     double shear_rate = 0.0;      ///< nominal k: wall shear rate, or pseudo-shear rate of a channel [1/step]

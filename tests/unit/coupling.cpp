@@ -40,7 +40,7 @@ TEST_P(EveryKernel, force_on_sites_equals_force_on_nodes_up_to_the_wall) {
     Stencils stencils(cells.node_count());
     VectorField force(channel);
     locate(GetParam().delta, channel, cells, stencils);
-    spread(stencils, cells, force);
+    spread(Order::zeroth, stencils, cells, force);
     Vec2 on_nodes, on_sites;
     double torque_on_nodes = 0.0, torque_on_sites = 0.0;
     for (int n = 0; n < cells.node_count(); ++n) {
@@ -73,8 +73,8 @@ TEST_P(EveryKernel, spread_and_interpolate_are_adjoint) {
         }
     }
     locate(GetParam().delta, channel, cells, stencils);
-    spread(stencils, cells, force);
-    interpolate(stencils, velocity, cells);
+    spread(Order::zeroth, stencils, cells, force);
+    interpolate(Order::first, stencils, velocity, cells);
     double power_of_nodes = 0.0, power_of_sites = 0.0;
     for (int n = 0; n < cells.node_count(); ++n) power_of_nodes += dot(cells.force(n), cells.velocity(n));
     for (int j = 0; j < channel.ny; ++j) {
@@ -95,10 +95,12 @@ TEST_P(EveryKernel, linear_velocity_is_interpolated_exactly_up_to_the_wall) {
         }
     }
     locate(GetParam().delta, channel, cells, stencils);
-    interpolate(stencils, velocity, cells);
+    interpolate(Order::first, stencils, velocity, cells);
     for (int n = 0; n < cells.node_count(); ++n) {
         EXPECT_NEAR(cells.ux[n], 0.3 + 0.02 * cells.y[n], 1e-12);
         EXPECT_NEAR(cells.uy[n], -0.1 + 0.01 * cells.x[n], 1e-12);
+        EXPECT_NEAR(cells.rate_xx[n], 0.0, 1e-12);
+        EXPECT_NEAR(cells.rate_xy[n], 0.02 + 0.01, 1e-12);
     }
 }
 
@@ -107,13 +109,13 @@ TEST_P(EveryKernel, gives_the_same_bits_for_any_number_of_threads) {
     Stencils stencils(cells.node_count());
     VectorField one(channel);
     locate(GetParam().delta, channel, cells, stencils);
-    spread(stencils, cells, one);
+    spread(Order::zeroth, stencils, cells, one);
     for (int threads : {2, 3, 7}) {
         VectorField many(channel);
         Stencils shared(cells.node_count());
         with_team(threads, [&] {
             locate(GetParam().delta, channel, cells, shared);
-            spread(shared, cells, many);
+            spread(Order::zeroth, shared, cells, many);
         });
         for (std::size_t k = 0; k < one.x.size(); ++k) {
             ASSERT_EQ(one.x.data()[k], many.x.data()[k]);
@@ -143,7 +145,7 @@ TEST(Unspread, leaves_no_force_behind_across_periodic_ends) {
         Stencils stencils(cells.node_count());
         VectorField force(box);
         locate(Peskin4{}, box, cells, stencils);
-        spread(stencils, cells, force);
+        spread(Order::zeroth, stencils, cells, force);
         // What Exchange::fold does with the halo.
         for (int j = -2; j < box.ny + 2; ++j) {
             for (int i = -2; i < box.nx + 2; ++i) {

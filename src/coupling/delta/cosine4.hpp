@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "base/isa.hpp"
+#include "coupling/delta/kernel_spread.hpp"
 
 namespace tt {
 
@@ -12,6 +13,7 @@ namespace tt {
 /// 0.021 sites, so torque is conserved to 2 % of a site times the force only. Peskin4 has no such defect.
 struct Cosine4 {
     static constexpr std::string_view name = "cosine4";
+    static constexpr KernelSpread spread{0.412, 0.315};
     TT_INLINE static void weights(double s, double (&w)[4]) {
         // sin(πs/2) and cos(πs/2) by their series about s = ½ (|x| ≤ π/4): error below 1e-15.
         const double x = 1.5707963267948966 * (s - 0.5);

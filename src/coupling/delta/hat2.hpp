@@ -3,12 +3,14 @@
 #include <string_view>
 
 #include "base/isa.hpp"
+#include "coupling/delta/kernel_spread.hpp"
 
 namespace tt {
 
 /// The 2-point hat: φ(r) = 1 − |r|, bilinear interpolation.
 struct Hat2 {
     static constexpr std::string_view name = "hat2";
+    static constexpr KernelSpread spread{0.2326, 0.2012};
     TT_INLINE static void weights(double s, double (&w)[4]) {
         w[0] = 0.0;
         w[1] = 1.0 - s;

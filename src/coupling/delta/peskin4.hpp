@@ -4,12 +4,14 @@
 #include <string_view>
 
 #include "base/isa.hpp"
+#include "coupling/delta/kernel_spread.hpp"
 
 namespace tt {
 
 /// Peskin's 4-point kernel (Acta Numerica 2002, Eq. 6.27): sums to 1, first moment 0, even and odd sites weigh alike.
 struct Peskin4 {
     static constexpr std::string_view name = "peskin4";
+    static constexpr KernelSpread spread{0.4124, 0.3152};
     TT_INLINE static void weights(double s, double (&w)[4]) {
         const double root = std::sqrt(1.0 + 4.0 * s * (1.0 - s));
         w[0] = 0.125 * (3.0 - 2.0 * s - root);
