@@ -25,20 +25,24 @@ struct VtkArray {
 template <class T>
 VtkArray vtk_array(std::string name, int components, const std::vector<T>& values) {
     static_assert(std::is_arithmetic_v<T>);
-    const std::string_view type = std::is_same_v<T, float> ? "Float32" : std::is_same_v<T, double> ? "Float64"
-                                  : sizeof(T) == 8 ? "Int64" : "Int32";
+    const std::string_view type = std::is_same_v<T, float>    ? "Float32"
+                                  : std::is_same_v<T, double> ? "Float64"
+                                  : sizeof(T) == 8            ? "Int64"
+                                                              : "Int32";
     VtkArray array{std::move(name), type, components, std::string(values.size() * sizeof(T), '\0')};
     if (!values.empty()) std::memcpy(array.bytes.data(), values.data(), array.bytes.size());
     return array;
 }
 
-/// Image data (.vti): point (i, j) at origin + spacing · (i, j), i running fastest; raw appended data with 64-bit sizes.
+/// Image data (.vti): point (i, j) at origin + spacing · (i, j), i running fastest; raw appended
+/// data with 64-bit sizes.
 void write_vti(const std::filesystem::path& path, int nx, int ny, Vec2 origin, double spacing,
                const std::vector<VtkArray>& point_data);
 
 /// Polygons (.vtp): points of polygon c are first[c] … first[c+1].
-void write_vtp(const std::filesystem::path& path, std::span<const Vec2> points, std::span<const int> first,
-               const std::vector<VtkArray>& point_data, const std::vector<VtkArray>& polygon_data);
+void write_vtp(const std::filesystem::path& path, std::span<const Vec2> points,
+               std::span<const int> first, const std::vector<VtkArray>& point_data,
+               const std::vector<VtkArray>& polygon_data);
 
 /// A file of a time series.
 struct PvdEntry {

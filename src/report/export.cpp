@@ -16,14 +16,17 @@ constexpr double um = 1e6, ms = 1e3;  ///< per metre, per second
 
 /// Throws IoError if there is no frame to export.
 FramesReader open_frames(const fs::path& directory) {
-    if (!fs::is_directory(directory)) throw IoError(directory.string() + ": no such results directory");
+    if (!fs::is_directory(directory))
+        throw IoError(directory.string() + ": no such results directory");
     const fs::path path = directory / "frames.h5";
     if (fs::exists(path)) return FramesReader(path);
-    throw IoError(path.string() + ": does not exist; nothing to export (did the run write frames?)");
+    throw IoError(path.string() +
+                  ": does not exist; nothing to export (did the run write frames?)");
 }
 
 void require_frames(const FramesReader& frames, const fs::path& directory) {
-    if (frames.count() == 0) throw IoError((directory / "frames.h5").string() + ": holds no frame yet");
+    if (frames.count() == 0)
+        throw IoError((directory / "frames.h5").string() + ": holds no frame yet");
 }
 
 /// Three components, as VTK wants vectors, of x, y pairs.
@@ -57,24 +60,28 @@ void write_cells(const fs::path& path, const FramesHeader& header, const Frame& 
     for (std::size_t k = 0; k < stretch.size(); ++k) stretch[k] /= first_lengths[k];
     std::vector<Vec2> nodes = wrapped_nodes(header, frame);
     for (Vec2& node : nodes) node *= um;
-    write_vtp(path, nodes, header.first,
-              {vtk_array("stretch since the first frame", 1, stretch), vtk_array("cell", 1, cell_of_node),
-               vtk_array("node force [N/m]", 3, with_zero(frame.node_force, 1.0)),
-               vtk_array("velocity [mm/s]", 3, with_zero(frame.node_velocity, 1e3))},
-              {vtk_array("cell", 1, cell)});
+    write_vtp(
+        path, nodes, header.first,
+        {vtk_array("stretch since the first frame", 1, stretch), vtk_array("cell", 1, cell_of_node),
+         vtk_array("node force [N/m]", 3, with_zero(frame.node_force, 1.0)),
+         vtk_array("velocity [mm/s]", 3, with_zero(frame.node_velocity, 1e3))},
+        {vtk_array("cell", 1, cell)});
 }
 
 std::string nodes_table(const FramesHeader& header, const Frame& frame) {
     fmt::memory_buffer text;
     auto out = std::back_inserter(text);
-    fmt::format_to(out, "cell,node,x [m],y [m],force_x [N/m],force_y [N/m],velocity_x [m/s],velocity_y [m/s]\n");
+    fmt::format_to(
+        out,
+        "cell,node,x [m],y [m],force_x [N/m],force_y [N/m],velocity_x [m/s],velocity_y [m/s]\n");
     for (int c = 0; c < cell_count(header); ++c) {
         const auto begin = static_cast<std::size_t>(header.first[static_cast<std::size_t>(c)]);
         const auto end = static_cast<std::size_t>(header.first[static_cast<std::size_t>(c) + 1]);
         for (std::size_t k = begin; k < end; ++k) {
             fmt::format_to(out, "{},{},{:.10g},{:.10g},{:.9g},{:.9g},{:.9g},{:.9g}\n", c, k - begin,
                            frame.nodes[2 * k], frame.nodes[2 * k + 1], frame.node_force[2 * k],
-                           frame.node_force[2 * k + 1], frame.node_velocity[2 * k], frame.node_velocity[2 * k + 1]);
+                           frame.node_force[2 * k + 1], frame.node_velocity[2 * k],
+                           frame.node_velocity[2 * k + 1]);
         }
     }
     return fmt::to_string(text);
@@ -87,9 +94,10 @@ std::string fields_table(const FramesHeader& header, const Frame& frame) {
     for (int j = 0; j < header.ny; ++j)
         for (int i = 0; i < header.nx; ++i) {
             const std::size_t site = static_cast<std::size_t>(j) * header.nx + i;
-            fmt::format_to(out, "{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}\n", (i + 0.5) * header.dx,
-                           (j + 0.5) * header.dx, frame.velocity[2 * site], frame.velocity[2 * site + 1],
-                           frame.pressure[site], frame.cytoplasm[site]);
+            fmt::format_to(out, "{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}\n",
+                           (i + 0.5) * header.dx, (j + 0.5) * header.dx, frame.velocity[2 * site],
+                           frame.velocity[2 * site + 1], frame.pressure[site],
+                           frame.cytoplasm[site]);
         }
     return fmt::to_string(text);
 }

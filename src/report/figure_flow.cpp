@@ -28,23 +28,28 @@ SpeedMap speed_map(const FramesHeader& grid, const Frame& frame) {
     for (int j = 0; j < map.rows * map.stride; ++j)
         for (int i = 0; i < map.columns * map.stride; ++i) {
             const std::size_t site = static_cast<std::size_t>(j) * grid.nx + i;
-            const std::size_t block = static_cast<std::size_t>(j / map.stride) * map.columns + i / map.stride;
-            map.speed[block] += std::hypot(frame.velocity[2 * site], frame.velocity[2 * site + 1]) / (map.stride * map.stride);
+            const std::size_t block =
+                static_cast<std::size_t>(j / map.stride) * map.columns + i / map.stride;
+            map.speed[block] += std::hypot(frame.velocity[2 * site], frame.velocity[2 * site + 1]) /
+                                (map.stride * map.stride);
         }
     return map;
 }
 
 std::string matrix_text(const SpeedMap& map, double factor) {
-    std::string text = fmt::format("# speed, scaled by {:g} from m/s; one row of blocks a line, from the bottom\n", factor);
+    std::string text = fmt::format(
+        "# speed, scaled by {:g} from m/s; one row of blocks a line, from the bottom\n", factor);
     for (int j = 0; j < map.rows; ++j) {
         for (int i = 0; i < map.columns; ++i)
-            text += fmt::format("{}{:.4g}", i ? " " : "", factor * map.speed[static_cast<std::size_t>(j) * map.columns + i]);
+            text += fmt::format("{}{:.4g}", i ? " " : "",
+                                factor * map.speed[static_cast<std::size_t>(j) * map.columns + i]);
         text += '\n';
     }
     return text;
 }
 
-/// Closed outlines [µm], wrapped into the box; a cell across an end is written at both. A blank line ends each.
+/// Closed outlines [µm], wrapped into the box; a cell across an end is written at both. A blank
+/// line ends each.
 std::string outlines_text(const FramesHeader& grid, const Frame& frame) {
     const std::vector<Vec2> nodes = wrapped_nodes(grid, frame);
     std::string text = "# x [um] y [um] cell; a blank line between outlines\n";
@@ -52,7 +57,8 @@ std::string outlines_text(const FramesHeader& grid, const Frame& frame) {
         const int begin = grid.first[static_cast<std::size_t>(cell)];
         const int end = grid.first[static_cast<std::size_t>(cell) + 1];
         const auto by_x = [](Vec2 a, Vec2 b) { return a.x < b.x; };
-        const auto [left, right] = std::minmax_element(nodes.begin() + begin, nodes.begin() + end, by_x);
+        const auto [left, right] =
+            std::minmax_element(nodes.begin() + begin, nodes.begin() + end, by_x);
         for (const double shift : {-grid.length, 0.0, grid.length}) {
             if (right->x + shift < 0.0 || left->x + shift > grid.length) continue;
             for (int k = begin; k <= end; ++k) {
@@ -70,8 +76,13 @@ struct PanelGrid {
     int columns, rows;
     double panel_width, panel_height;
     static constexpr double left = 48, right = 14, gap_x = 26, gap_y = 24, bottom = 88, top = 20;
-    int width() const { return static_cast<int>(std::ceil(left + right + columns * panel_width + (columns - 1) * gap_x)); }
-    int height() const { return static_cast<int>(std::ceil(top + bottom + rows * panel_height + (rows - 1) * gap_y)); }
+    int width() const {
+        return static_cast<int>(
+            std::ceil(left + right + columns * panel_width + (columns - 1) * gap_x));
+    }
+    int height() const {
+        return static_cast<int>(std::ceil(top + bottom + rows * panel_height + (rows - 1) * gap_y));
+    }
 };
 
 /// Long boxes one below the other at column width, square ones in two columns.
@@ -80,7 +91,9 @@ PanelGrid panel_grid(const FramesHeader& grid, int panels) {
     PanelGrid layout{aspect < 2.0 && panels > 1 ? 2 : 1, 1, 0.0, 0.0};
     layout.rows = (panels + layout.columns - 1) / layout.columns;
     const double room = 340.0 * (layout.columns == 2 ? 1.2 : 1.0);
-    layout.panel_width = (room - PanelGrid::left - PanelGrid::right - (layout.columns - 1) * PanelGrid::gap_x) / layout.columns;
+    layout.panel_width =
+        (room - PanelGrid::left - PanelGrid::right - (layout.columns - 1) * PanelGrid::gap_x) /
+        layout.columns;
     layout.panel_height = layout.panel_width / aspect;
     return layout;
 }
@@ -89,14 +102,18 @@ PanelGrid panel_grid(const FramesHeader& grid, int panels) {
 std::string panel_place(const PanelGrid& layout, int k, int panels) {
     const int row = k / layout.columns, column = k % layout.columns;
     const double x0 = PanelGrid::left + column * (layout.panel_width + PanelGrid::gap_x);
-    const double y1 = layout.height() - PanelGrid::top - row * (layout.panel_height + PanelGrid::gap_y);
+    const double y1 =
+        layout.height() - PanelGrid::top - row * (layout.panel_height + PanelGrid::gap_y);
     const double w = layout.width(), h = layout.height();
-    std::string text = fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n", x0 / w,
-                                   (x0 + layout.panel_width) / w);
-    text += fmt::format("set bmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n", (y1 - layout.panel_height) / h, y1 / h);
+    std::string text = fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n",
+                                   x0 / w, (x0 + layout.panel_width) / w);
+    text += fmt::format("set bmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n",
+                        (y1 - layout.panel_height) / h, y1 / h);
     const bool lowest = k + layout.columns >= panels;
-    text += lowest ? "set xlabel \"{/:Italic x} [μm]\" offset 0,0.4\nset format x \"%g\"\n" : "unset xlabel\nset format x \"\"\n";
-    text += column == 0 ? "set ylabel \"{/:Italic y} [μm]\" offset 0,0\nset format y \"%g\"\n" : "unset ylabel\nset format y \"\"\n";
+    text += lowest ? "set xlabel \"{/:Italic x} [μm]\" offset 0,0.4\nset format x \"%g\"\n"
+                   : "unset xlabel\nset format x \"\"\n";
+    text += column == 0 ? "set ylabel \"{/:Italic y} [μm]\" offset 0,0\nset format y \"%g\"\n"
+                        : "unset ylabel\nset format y \"\"\n";
     return text;
 }
 
@@ -122,7 +139,8 @@ std::vector<int> chosen_frames(const Results& run) {
         wanted.push_back(milliseconds * 1e-3);
     }
     if (wanted.empty())
-        for (const double share : {0.0, 0.25, 0.5, 1.0}) wanted.push_back(share * run.frames->time(last));
+        for (const double share : {0.0, 0.25, 0.5, 1.0})
+            wanted.push_back(share * run.frames->time(last));
     std::vector<int> frames;
     for (const double time : wanted) frames.push_back(nearest_frame(*run.frames, time));
     std::sort(frames.begin(), frames.end());
@@ -135,7 +153,8 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
     const FramesHeader& grid = run.frames->header();
     std::vector<Frame> frames;
     for (const int k : chosen_frames(run))
-        if (Frame frame = run.frames->frame(k); !frame.velocity.empty()) frames.push_back(std::move(frame));
+        if (Frame frame = run.frames->frame(k); !frame.velocity.empty())
+            frames.push_back(std::move(frame));
     if (frames.empty()) return;
 
     const PanelGrid layout = panel_grid(grid, static_cast<int>(frames.size()));
@@ -144,16 +163,18 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
     std::vector<SpeedMap> maps;
     for (const Frame& frame : frames) {
         maps.push_back(speed_map(grid, frame));
-        fastest = std::max(fastest, *std::max_element(maps.back().speed.begin(), maps.back().speed.end()));
+        fastest = std::max(fastest,
+                           *std::max_element(maps.back().speed.begin(), maps.back().speed.end()));
     }
     const bool slow = fastest < 1e-3;
     const double factor = slow ? 1e6 : 1e3;
     std::string body = common;
     if (layout.panel_height < 120.0) body += fmt::format("set ytics {:.3g}\n", grid.width * 0.5e6);
     if (layout.columns > 1)
-        body += fmt::format("set xtics {:.3g}\nset ytics {:.3g}\n", grid.length * 0.25e6, grid.width * 0.25e6);
-    body += fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]\nset cbrange [0:{:.4g}]\n", grid.length * 1e6,
-                        grid.width * 1e6, std::max(fastest * factor, 1e-9));
+        body += fmt::format("set xtics {:.3g}\nset ytics {:.3g}\n", grid.length * 0.25e6,
+                            grid.width * 0.25e6);
+    body += fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]\nset cbrange [0:{:.4g}]\n",
+                        grid.length * 1e6, grid.width * 1e6, std::max(fastest * factor, 1e-9));
     const int panels = static_cast<int>(frames.size());
     for (int k = 0; k < panels; ++k) {
         const std::string stem = fmt::format("flow_{}", k + 1);
@@ -161,24 +182,37 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
         write_text(out / (stem + "_speed.dat"), matrix_text(maps[index], factor));
         write_text(out / (stem + "_cells.dat"), outlines_text(grid, frames[index]));
         body += panel_place(layout, k, panels);
-        body += fmt::format("set title \"{{/:Italic t}} = {:.4g} {}\" offset 0,-0.7\n", frames[index].time * unit.per_second, unit.name);
-        body += k + 1 < panels ? "unset colorbox\n"
-                               : fmt::format("set colorbox user horizontal origin {:.4f},{:.4f} size {:.4f},{:.4f}\nset cblabel "
-                                             "\"speed [{}]\" offset 0,0.5\nset cbtics scale 0.3 offset 0,0.4\n",
-                                             PanelGrid::left / layout.width(), 38.0 / layout.height(),
-                                             1.0 - (PanelGrid::left + PanelGrid::right) / layout.width(),
-                                             7.0 / layout.height(), slow ? "μm/s" : "mm/s");
+        body += fmt::format("set title \"{{/:Italic t}} = {:.4g} {}\" offset 0,-0.7\n",
+                            frames[index].time * unit.per_second, unit.name);
+        body += k + 1 < panels
+                    ? "unset colorbox\n"
+                    : fmt::format(
+                          "set colorbox user horizontal origin {:.4f},{:.4f} size "
+                          "{:.4f},{:.4f}\nset cblabel "
+                          "\"speed [{}]\" offset 0,0.5\nset cbtics scale 0.3 offset 0,0.4\n",
+                          PanelGrid::left / layout.width(), 38.0 / layout.height(),
+                          1.0 - (PanelGrid::left + PanelGrid::right) / layout.width(),
+                          7.0 / layout.height(), slow ? "μm/s" : "mm/s");
         const double block = grid.dx * maps[index].stride * 1e6;
-        body += fmt::format("plot \"{0}_speed.dat\" matrix using (({1:.8g})*($1+0.5)):(({1:.8g})*($2+0.5)):3 with image", stem, block);
+        body += fmt::format(
+            "plot \"{0}_speed.dat\" matrix using (({1:.8g})*($1+0.5)):(({1:.8g})*($2+0.5)):3 with "
+            "image",
+            stem, block);
         if (grid.first.back() > 0)
-            body += fmt::format(", \\\n     \"{0}_cells.dat\" using 1:2 with filledcurves closed fc rgb \"#c8372d\" fillstyle "
-                                "transparent solid 0.8 noborder, \\\n     \"\" using 1:2 with lines lc rgb \"#5c0d08\" lw 0.7", stem);
+            body += fmt::format(
+                ", \\\n     \"{0}_cells.dat\" using 1:2 with filledcurves closed fc rgb "
+                "\"#c8372d\" fillstyle "
+                "transparent solid 0.8 noborder, \\\n     \"\" using 1:2 with lines lc rgb "
+                "\"#5c0d08\" lw 0.7",
+                stem);
         body += "\n";
     }
     body += "unset multiplot";
     run_gnuplot(out, "flow", body, layout.width(), layout.height());
-    drawn.push_back({"flow", "Cells (red) and speed of the flow at chosen times. Flow is along x, which is periodic: a cell that "
-                             "crosses an end appears at both."});
+    drawn.push_back({"flow",
+                     "Cells (red) and speed of the flow at chosen times. Flow is along x, which is "
+                     "periodic: a cell that "
+                     "crosses an end appears at both."});
 }
 
 }  // namespace tt

@@ -27,12 +27,14 @@ struct VelocityUnit {
 VelocityUnit velocity_unit(std::span<const Results> runs) {
     double fastest = 0.0;
     for (const Results& run : runs)
-        for (const double u : values(run.profiles, "velocity")) fastest = std::max(fastest, std::abs(u));
+        for (const double u : values(run.profiles, "velocity"))
+            fastest = std::max(fastest, std::abs(u));
     return fastest < 1e-3 ? VelocityUnit{1e6, "μm/s"} : VelocityUnit{1e3, "mm/s"};
 }
 
-/// The profile without cells of the same flux: 6 U y (H − y)/H² between resting walls, and u = k (y − H/2) + U between
-/// walls that move with ± k H/2. Empty if the case does not say how the flow is driven.
+/// The profile without cells of the same flux: 6 U y (H − y)/H² between resting walls, and u = k (y
+/// − H/2) + U between walls that move with ± k H/2. Empty if the case does not say how the flow is
+/// driven.
 Column profile_of_plasma(const Results& run) {
     const Column& y = values(run.profiles, "y");
     const Column& u = values(run.profiles, "velocity");
@@ -46,16 +48,19 @@ Column profile_of_plasma(const Results& run) {
     if (drive == "shear" && !std::isfinite(rate)) return {};
     if (drive != "shear" && drive != "pressure" && drive != "body-force") return {};
     for (const double height : y)
-        plasma.push_back(drive == "shear" ? mean + rate * (height - 0.5 * width)
-                                          : 6.0 * mean * height * (width - height) / (width * width));
+        plasma.push_back(drive == "shear"
+                             ? mean + rate * (height - 0.5 * width)
+                             : 6.0 * mean * height * (width - height) / (width * width));
     return plasma;
 }
 
-LineFigure across(std::span<const Results> runs, const std::string& name, const std::string& x_label) {
+LineFigure across(std::span<const Results> runs, const std::string& name,
+                  const std::string& x_label) {
     LineFigure figure;
     figure.name = name;
     double width = 0.0;
-    for (const Results& run : runs) width = std::max(width, wall_distance(values(run.profiles, "y")));
+    for (const Results& run : runs)
+        width = std::max(width, wall_distance(values(run.profiles, "y")));
     figure.commands = {"set xlabel \"" + x_label + "\"", "set ylabel \"{/:Italic y} [μm]\"",
                        fmt::format("set yrange [0:{:.6g}]", width * 1e6), "set border 7"};
     return figure;
@@ -77,15 +82,22 @@ void draw_velocity(std::span<const Results> runs, const fs::path& out, std::vect
         const Column y = scaled(values(runs[r].profiles, "y"), 1e6);
         const Column u = scaled(values(runs[r].profiles, "velocity"), unit.per_si);
         if (u.empty()) continue;
-        figure.curves.push_back({single ? "with cells" : labels[r], fmt::format("using 1:2 with lines linetype {}", r + 1), {u, y}});
+        figure.curves.push_back({single ? "with cells" : labels[r],
+                                 fmt::format("using 1:2 with lines linetype {}", r + 1),
+                                 {u, y}});
         const Column plasma = scaled(profile_of_plasma(runs[r]), unit.per_si);
         if (plasma.empty()) continue;
         const std::string dashed = single ? "linetype 7" : fmt::format("linetype {}", r + 1);
-        const std::string title = runs[r].setting("flow.drive") == "shear" ? "Couette flow" : "Poiseuille, same flux";
-        figure.curves.push_back({single ? title : "", "using 1:2 with lines " + dashed + " dashtype 2 lw 1.1", {plasma, y}});
+        const std::string title =
+            runs[r].setting("flow.drive") == "shear" ? "Couette flow" : "Poiseuille, same flux";
+        figure.curves.push_back({single ? title : "",
+                                 "using 1:2 with lines " + dashed + " dashtype 2 lw 1.1",
+                                 {plasma, y}});
     }
-    figure.caption = "Velocity along the channel, averaged over its length and over the window. Dashed: the flow of plasma alone "
-                     "with the same flux.";
+    figure.caption =
+        "Velocity along the channel, averaged over its length and over the window. Dashed: the "
+        "flow of plasma alone "
+        "with the same flux.";
     figure.commands.push_back("set key outside top center horizontal samplen 1.2");
     finish(figure, out, drawn);
 }
@@ -97,16 +109,21 @@ void mark_layers(LineFigure& figure, const Results& run) {
     const double width = wall_distance(values(run.profiles, "y")) * 1e6;
     if (!std::isfinite(bottom) || !std::isfinite(top)) return;
     const std::string fill = "fc rgb \"#f6e3c5\" fillstyle solid noborder behind";
-    figure.commands.push_back(fmt::format("set object 1 rectangle from graph 0, first 0 to graph 1, first {:.6g} {}", bottom, fill));
+    figure.commands.push_back(fmt::format(
+        "set object 1 rectangle from graph 0, first 0 to graph 1, first {:.6g} {}", bottom, fill));
     figure.commands.push_back(
-        fmt::format("set object 2 rectangle from graph 0, first {:.6g} to graph 1, first {:.6g} {}", width - top, width, fill));
-    figure.commands.push_back(fmt::format("set label 1 \"cell-free layer {:.2f} μm\" at graph 0.97, first {:.6g} right", bottom,
-                                          0.5 * bottom));
-    figure.commands.push_back(fmt::format("set label 2 \"cell-free layer {:.2f} μm\" at graph 0.97, first {:.6g} right", top,
-                                          width - 0.5 * top));
+        fmt::format("set object 2 rectangle from graph 0, first {:.6g} to graph 1, first {:.6g} {}",
+                    width - top, width, fill));
+    figure.commands.push_back(
+        fmt::format("set label 1 \"cell-free layer {:.2f} μm\" at graph 0.97, first {:.6g} right",
+                    bottom, 0.5 * bottom));
+    figure.commands.push_back(
+        fmt::format("set label 2 \"cell-free layer {:.2f} μm\" at graph 0.97, first {:.6g} right",
+                    top, width - 0.5 * top));
 }
 
-void draw_hematocrit(std::span<const Results> runs, const fs::path& out, std::vector<Figure>& drawn) {
+void draw_hematocrit(std::span<const Results> runs, const fs::path& out,
+                     std::vector<Figure>& drawn) {
     LineFigure figure = across(runs, "hematocrit_profile", "local hematocrit");
     figure.column_names = {"hematocrit", "y [um]"};
     const std::vector<std::string> labels = run_labels(runs);
@@ -114,14 +131,18 @@ void draw_hematocrit(std::span<const Results> runs, const fs::path& out, std::ve
     for (std::size_t r = 0; r < runs.size(); ++r) {
         const Column& h = values(runs[r].profiles, "hematocrit");
         if (h.empty()) continue;
-        figure.curves.push_back({single ? "" : labels[r], fmt::format("using 1:2 with lines linetype {}", r + 1),
+        figure.curves.push_back({single ? "" : labels[r],
+                                 fmt::format("using 1:2 with lines linetype {}", r + 1),
                                  {h, scaled(values(runs[r].profiles, "y"), 1e6)}});
     }
-    figure.caption = "Share of the cells' interior at each height, averaged over the length and over the window.";
+    figure.caption =
+        "Share of the cells' interior at each height, averaged over the length and over the "
+        "window.";
     figure.commands.push_back("set xrange [0:*]");
     if (single) {
         mark_layers(figure, runs.front());
-        figure.caption += " Shaded: the cell-free layers, wall to where the profile reaches half its maximum.";
+        figure.caption +=
+            " Shaded: the cell-free layers, wall to where the profile reaches half its maximum.";
     } else {
         figure.commands.push_back("set key outside top center horizontal samplen 1.2");
     }

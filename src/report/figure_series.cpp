@@ -35,19 +35,23 @@ Column scaled(Column values, double factor) {
     return values;
 }
 
-Column times(const Results& run, const TimeUnit& unit) { return scaled(values(run.series, "time"), unit.per_second); }
+Column times(const Results& run, const TimeUnit& unit) {
+    return scaled(values(run.series, "time"), unit.per_second);
+}
 
 /// Axes, and the averaging window in grey when there is one run to average.
 LineFigure over_time(const TimePlots& plots, const std::string& name, const std::string& y_label) {
     LineFigure figure;
     figure.name = name;
     figure.column_names = {"time [" + plots.unit.name + "]"};
-    figure.commands = {"set xlabel \"time [" + plots.unit.name + "]\"", "set ylabel \"" + y_label + "\"",
-                       fmt::format("set xrange [0:{:.6g}]", longest_time(plots.runs) * plots.unit.per_second)};
+    figure.commands = {
+        "set xlabel \"time [" + plots.unit.name + "]\"", "set ylabel \"" + y_label + "\"",
+        fmt::format("set xrange [0:{:.6g}]", longest_time(plots.runs) * plots.unit.per_second)};
     const Results& run = plots.runs.front();
     if (plots.single() && run.window_end > run.window_begin)
         figure.commands.push_back(fmt::format(
-            "set object 1 rectangle from first {:.6g}, graph 0 to first {:.6g}, graph 1 fc rgb \"#efefef\" "
+            "set object 1 rectangle from first {:.6g}, graph 0 to first {:.6g}, graph 1 fc rgb "
+            "\"#efefef\" "
             "fillstyle solid noborder behind",
             run.window_begin * plots.unit.per_second, run.window_end * plots.unit.per_second));
     return figure;
@@ -55,11 +59,13 @@ LineFigure over_time(const TimePlots& plots, const std::string& name, const std:
 
 std::string window_note(const TimePlots& plots) {
     const Results& run = plots.runs.front();
-    return plots.single() && run.window_end > run.window_begin ? " Grey: the averaging window." : "";
+    return plots.single() && run.window_end > run.window_begin ? " Grey: the averaging window."
+                                                               : "";
 }
 
 /// Every cell's curve one after the other, a NaN row between them.
-std::pair<Column, Column> cell_curves(const Results& run, const std::string& column, double time_factor) {
+std::pair<Column, Column> cell_curves(const Results& run, const std::string& column,
+                                      double time_factor) {
     const Column& time = values(run.cells, "time");
     const Column& cell = values(run.cells, "cell");
     const Column& value = values(run.cells, column);
@@ -80,17 +86,19 @@ std::pair<Column, Column> cell_curves(const Results& run, const std::string& col
 }
 
 void finish(const LineFigure& figure, const fs::path& out, std::vector<Figure>& drawn) {
-    const bool any = std::any_of(figure.curves.begin(), figure.curves.end(), [](const Curve& curve) {
-        return curve.columns.size() > 1 && !curve.columns[0].empty() && !curve.columns[1].empty();
-    });
+    const bool any =
+        std::any_of(figure.curves.begin(), figure.curves.end(), [](const Curve& curve) {
+            return curve.columns.size() > 1 && !curve.columns[0].empty() &&
+                   !curve.columns[1].empty();
+        });
     if (!any) return;
     draw(figure, out);
     drawn.push_back({figure.name, figure.caption});
 }
 
 /// Adds one column of the series of every run; the key names the runs where there are several.
-void add_column(LineFigure& figure, const TimePlots& plots, const std::string& column, const std::string& title,
-                double factor, int first_linetype) {
+void add_column(LineFigure& figure, const TimePlots& plots, const std::string& column,
+                const std::string& title, double factor, int first_linetype) {
     for (std::size_t r = 0; r < plots.runs.size(); ++r) {
         const Column& series = values(plots.runs[r].series, column);
         if (series.empty()) continue;
@@ -105,8 +113,10 @@ void add_column(LineFigure& figure, const TimePlots& plots, const std::string& c
 /// Mean ± standard deviation over cells as a band; each cell thin when there is one run.
 LineFigure stretch_figure(const TimePlots& plots) {
     LineFigure figure = over_time(plots, "lambda_C", "perimeter extension ratio {/:Italic λ}_C");
-    figure.caption = "Perimeter extension ratio λ_C over time: mean over cells (thick) ± standard deviation (band)" +
-                     std::string(plots.single() ? ", each cell thin." : ".") + window_note(plots);
+    figure.caption =
+        "Perimeter extension ratio λ_C over time: mean over cells (thick) ± standard deviation "
+        "(band)" +
+        std::string(plots.single() ? ", each cell thin." : ".") + window_note(plots);
     figure.commands.push_back("set key bottom right");
     for (std::size_t r = 0; r < plots.runs.size(); ++r) {
         const Column time = times(plots.runs[r], plots.unit);
@@ -118,14 +128,18 @@ LineFigure stretch_figure(const TimePlots& plots) {
             low[k] -= sd[k];
             high[k] += sd[k];
         }
-        figure.curves.push_back({plots.single() ? "mean ± sd" : "",
-                                 fmt::format("using 1:2:3 with filledcurves linetype {} fillstyle transparent solid 0.22 "
-                                             "noborder", r + 1),
-                                 {time, low, high}});
+        figure.curves.push_back(
+            {plots.single() ? "mean ± sd" : "",
+             fmt::format(
+                 "using 1:2:3 with filledcurves linetype {} fillstyle transparent solid 0.22 "
+                 "noborder",
+                 r + 1),
+             {time, low, high}});
     }
     if (plots.single()) {
         auto [time, value] = cell_curves(plots.runs[0], "lambda_C", plots.unit.per_second);
-        figure.curves.push_back({"each cell", "using 1:2 with lines lc rgb \"#8c8c8c\" lw 0.5", {time, value}});
+        figure.curves.push_back(
+            {"each cell", "using 1:2 with lines lc rgb \"#8c8c8c\" lw 0.5", {time, value}});
     }
     add_column(figure, plots, "lambda_C", "mean", 1.0, 1);
     figure.column_names = {figure.column_names[0], "lambda_C (bands: mean - sd, mean + sd)"};
@@ -134,9 +148,11 @@ LineFigure stretch_figure(const TimePlots& plots) {
 
 LineFigure deformation_figure(const TimePlots& plots) {
     LineFigure figure = over_time(plots, "deformation", "Taylor deformation {/:Italic D}");
-    figure.caption = "Taylor deformation, mean over cells" +
-                     std::string(plots.single() ? ", by the inertia-equivalent ellipse and by the extreme radii."
-                                                : ", by the inertia-equivalent ellipse.") + window_note(plots);
+    figure.caption =
+        "Taylor deformation, mean over cells" +
+        std::string(plots.single() ? ", by the inertia-equivalent ellipse and by the extreme radii."
+                                   : ", by the inertia-equivalent ellipse.") +
+        window_note(plots);
     figure.commands.push_back("set key bottom right");
     add_column(figure, plots, "taylor_inertia", "inertia ellipse", 1.0, 1);
     if (plots.single()) add_column(figure, plots, "taylor_extent", "extreme radii", 1.0, 2);
@@ -146,41 +162,51 @@ LineFigure deformation_figure(const TimePlots& plots) {
 LineFigure inclination_figure(const TimePlots& plots) {
     LineFigure figure = over_time(plots, "inclination", "inclination [°]");
     figure.caption = "Inclination of the long axis to the flow, mean over cells" +
-                     std::string(plots.single() ? " (thick), each cell thin." : ".") + window_note(plots);
+                     std::string(plots.single() ? " (thick), each cell thin." : ".") +
+                     window_note(plots);
     if (plots.single()) {
         auto [time, value] = cell_curves(plots.runs[0], "inclination_deg", plots.unit.per_second);
         // A long axis that turns past 90° reappears at −90°: break the line there.
         for (std::size_t k = value.size(); k-- > 1;)
             if (std::abs(value[k] - value[k - 1]) > 90.0) value[k] = nan;
-        figure.curves.push_back({"each cell", "using 1:2 with lines lc rgb \"#8c8c8c\" lw 0.5", {time, value}});
+        figure.curves.push_back(
+            {"each cell", "using 1:2 with lines lc rgb \"#8c8c8c\" lw 0.5", {time, value}});
     }
     add_column(figure, plots, "inclination_deg", "mean", 1.0, 1);
     return figure;
 }
 
 LineFigure viscosity_figure(const TimePlots& plots) {
-    LineFigure figure = over_time(plots, "mu_rel", "relative apparent viscosity {/:Italic μ}_{rel}");
-    figure.caption = "Apparent viscosity divided by that of the plasma (Eq. 23) over time." + window_note(plots);
+    LineFigure figure =
+        over_time(plots, "mu_rel", "relative apparent viscosity {/:Italic μ}_{rel}");
+    figure.caption =
+        "Apparent viscosity divided by that of the plasma (Eq. 23) over time." + window_note(plots);
     add_column(figure, plots, "mu_rel", "", 1.0, 1);
     return figure;
 }
 
 LineFigure area_figure(const TimePlots& plots) {
-    LineFigure figure = over_time(plots, "area_error", "largest |{/:Italic A} / {/:Italic A}_{ref} − 1|");
+    LineFigure figure =
+        over_time(plots, "area_error", "largest |{/:Italic A} / {/:Italic A}_{ref} − 1|");
     figure.caption = "Largest relative area error of any cell over time.";
     add_column(figure, plots, "area_error_max", "", 1.0, 1);
     for (Curve& curve : figure.curves)
         for (double& value : curve.columns[1]) value = value == 0.0 ? nan : std::abs(value);
-    figure.commands.insert(figure.commands.end(), {"set logscale y", "set format y \"10^{%L}\"", "set key bottom right"});
+    figure.commands.insert(figure.commands.end(),
+                           {"set logscale y", "set format y \"10^{%L}\"", "set key bottom right"});
     return figure;
 }
 
 LineFigure layer_figure(const TimePlots& plots) {
     LineFigure figure = over_time(plots, "cell_free_layer", "cell-free layer [μm]");
-    figure.caption = plots.single() ? "Cell-free layer, mean of both walls, by four definitions: smallest gap to the wall, "
-                                      "mean envelope of the membranes, half maximum of the hematocrit profile, and a uniform "
-                                      "core of the peak hematocrit." + window_note(plots)
-                                    : "Cell-free layer by the half maximum of the hematocrit profile, mean of both walls.";
+    figure.caption =
+        plots.single()
+            ? "Cell-free layer, mean of both walls, by four definitions: smallest gap to the wall, "
+              "mean envelope of the membranes, half maximum of the hematocrit profile, and a "
+              "uniform "
+              "core of the peak hematocrit." +
+                  window_note(plots)
+            : "Cell-free layer by the half maximum of the hematocrit profile, mean of both walls.";
     figure.commands.push_back("set yrange [0:*]");
     add_column(figure, plots, "cfl_profile", "half maximum", 1e6, 1);
     if (plots.single()) {
@@ -197,7 +223,8 @@ LineFigure layer_figure(const TimePlots& plots) {
 void draw_series(std::span<const Results> runs, const fs::path& out, std::vector<Figure>& drawn) {
     if (longest_time(runs) <= 0.0) return;
     const TimePlots plots{runs, run_labels(runs), time_unit(longest_time(runs))};
-    for (auto make : {stretch_figure, deformation_figure, inclination_figure, viscosity_figure, layer_figure, area_figure})
+    for (auto make : {stretch_figure, deformation_figure, inclination_figure, viscosity_figure,
+                      layer_figure, area_figure})
         finish(make(plots), out, drawn);
 }
 

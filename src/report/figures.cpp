@@ -9,9 +9,12 @@ namespace tt {
 std::vector<std::string> run_labels(std::span<const Results> runs) {
     std::vector<std::string> labels;
     for (const Results& run : runs) {
-        const auto same = std::count_if(runs.begin(), runs.end(), [&](const Results& r) { return r.name == run.name; });
-        const auto folder = std::filesystem::absolute(run.directory / "").parent_path().filename().string();
-        labels.push_back(same > 1 && folder != run.name ? run.name + " (" + folder + ")" : run.name);
+        const auto same = std::count_if(runs.begin(), runs.end(),
+                                        [&](const Results& r) { return r.name == run.name; });
+        const auto folder =
+            std::filesystem::absolute(run.directory / "").parent_path().filename().string();
+        labels.push_back(same > 1 && folder != run.name ? run.name + " (" + folder + ")"
+                                                        : run.name);
     }
     return labels;
 }

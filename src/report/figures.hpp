@@ -10,14 +10,17 @@
 
 namespace tt {
 
-/// Draws every figure that the results allow into `out` and returns what was drawn. One run: cells and flow at chosen
-/// times, and each cell thin behind the mean. Several: their means overlaid, a colour each.
+/// Draws every figure that the results allow into `out` and returns what was drawn. One run: cells
+/// and flow at chosen times, and each cell thin behind the mean. Several: their means overlaid, a
+/// colour each.
 std::vector<Figure> draw_figures(std::span<const Results> runs, const std::filesystem::path& out);
 
 /// The parts of draw_figures. Each appends what it could draw.
 void draw_flow(const Results& run, const std::filesystem::path& out, std::vector<Figure>& drawn);
-void draw_series(std::span<const Results> runs, const std::filesystem::path& out, std::vector<Figure>& drawn);
-void draw_profiles(std::span<const Results> runs, const std::filesystem::path& out, std::vector<Figure>& drawn);
+void draw_series(std::span<const Results> runs, const std::filesystem::path& out,
+                 std::vector<Figure>& drawn);
+void draw_profiles(std::span<const Results> runs, const std::filesystem::path& out,
+                   std::vector<Figure>& drawn);
 
 /// What each run is called in keys and tables: its name, with its directory where names repeat.
 std::vector<std::string> run_labels(std::span<const Results> runs);
@@ -29,7 +32,8 @@ struct TimeUnit {
 };
 TimeUnit time_unit(double longest);
 
-/// Frames to show: those nearest to [output] figure_times of the case, else the start, a quarter, half and the end.
+/// Frames to show: those nearest to [output] figure_times of the case, else the start, a quarter,
+/// half and the end.
 std::vector<int> chosen_frames(const Results& run);
 
 }  // namespace tt

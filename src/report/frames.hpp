@@ -10,13 +10,15 @@ namespace tt {
 /// The frame nearest to a time [s]. Precondition: there is one.
 int nearest_frame(const FramesReader& frames, double time);
 
-/// Node positions of a frame [m], each cell moved by whole lengths of the box so that the mean of its nodes lies in
-/// 0 ≤ x < length.
+/// Node positions of a frame [m], each cell moved by whole lengths of the box so that the mean of
+/// its nodes lies in 0 ≤ x < length.
 std::vector<Vec2> wrapped_nodes(const FramesHeader& header, const Frame& frame);
 
 /// Length of the segment that starts at each node [m].
 std::vector<double> segment_lengths(const FramesHeader& header, const Frame& frame);
 
-inline int cell_count(const FramesHeader& header) { return static_cast<int>(header.first.size()) - 1; }
+inline int cell_count(const FramesHeader& header) {
+    return static_cast<int>(header.first.size()) - 1;
+}
 
 }  // namespace tt

@@ -12,7 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view style = R"(# Shared by all figures of this folder. Redraw one with: gnuplot NAME.gp
+constexpr std::string_view style =
+    R"(# Shared by all figures of this folder. Redraw one with: gnuplot NAME.gp
 # Colours of Okabe and Ito, which people of any colour vision tell apart.
 set encoding utf8
 set linetype 1 lc rgb "#0072B2" lw 1.6
@@ -44,7 +45,8 @@ unset output
 /// Runs gnuplot inside `out`; its messages go to name.log, which stays only if it fails.
 void execute(const fs::path& out, const std::string& name) {
     std::string folder = out.string();
-    for (std::size_t k = 0; (k = folder.find('\'', k)) != std::string::npos; k += 4) folder.replace(k, 1, "'\\''");
+    for (std::size_t k = 0; (k = folder.find('\'', k)) != std::string::npos; k += 4)
+        folder.replace(k, 1, "'\\''");
     const std::string line = fmt::format("cd '{0}' && gnuplot {1}.gp > {1}.log 2>&1", folder, name);
     const int status = std::system(line.c_str());
     const fs::path log = out / (name + ".log");
@@ -53,8 +55,11 @@ void execute(const fs::path& out, const std::string& name) {
         return;
     }
     if (std::system("command -v gnuplot > /dev/null 2>&1") != 0)
-        throw IoError("figures need gnuplot, which is not installed; on Debian or Ubuntu: sudo apt install gnuplot-nox");
-    throw IoError(fmt::format("gnuplot could not draw {}: {}", (out / (name + ".gp")).string(), read_file(log)));
+        throw IoError(
+            "figures need gnuplot, which is not installed; on Debian or Ubuntu: sudo apt install "
+            "gnuplot-nox");
+    throw IoError(fmt::format("gnuplot could not draw {}: {}", (out / (name + ".gp")).string(),
+                              read_file(log)));
 }
 
 std::string data_text(const LineFigure& figure) {
@@ -89,8 +94,10 @@ void write_text(const fs::path& path, std::string_view text) {
 
 void write_style(const fs::path& out) { write_text(out / "style.gp", style); }
 
-void run_gnuplot(const fs::path& out, const std::string& name, const std::string& body, int width, int height) {
-    write_text(out / (name + ".gp"), fmt::format(script, 3 * width, 3 * height, width, height, name, body));
+void run_gnuplot(const fs::path& out, const std::string& name, const std::string& body, int width,
+                 int height) {
+    write_text(out / (name + ".gp"),
+               fmt::format(script, 3 * width, 3 * height, width, height, name, body));
     execute(out, name);
 }
 
@@ -101,9 +108,11 @@ void draw(const LineFigure& figure, const fs::path& out) {
     int index = 0;
     for (const Curve& curve : figure.curves) {
         if (curve.columns.empty() || curve.columns.front().empty()) continue;
-        const std::string title = curve.title.empty() ? "notitle" : "title " + gnuplot_string(curve.title) + " noenhanced";
-        body += fmt::format("{}\"{}.dat\" index {} {} {}", index == 0 ? "plot " : ", \\\n     ", figure.name, index,
-                            curve.style, title);
+        const std::string title = curve.title.empty()
+                                      ? "notitle"
+                                      : "title " + gnuplot_string(curve.title) + " noenhanced";
+        body += fmt::format("{}\"{}.dat\" index {} {} {}", index == 0 ? "plot " : ", \\\n     ",
+                            figure.name, index, curve.style, title);
         ++index;
     }
     run_gnuplot(out, figure.name, body, 340, 240);

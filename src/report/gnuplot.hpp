@@ -13,8 +13,8 @@ struct Figure {
     std::string caption;  ///< one or two sentences, also the alternative text of the page
 };
 
-/// One curve: columns of numbers and how gnuplot draws them, e.g. "using 1:2 with lines linetype 1".
-/// A NaN in a row breaks the line there.
+/// One curve: columns of numbers and how gnuplot draws them, e.g. "using 1:2 with lines linetype
+/// 1". A NaN in a row breaks the line there.
 struct Curve {
     std::string title;  ///< entry of the key; empty: none
     std::string style;
@@ -25,20 +25,22 @@ struct Curve {
 struct LineFigure {
     std::string name, caption;
     std::vector<std::string> column_names;  ///< with units, for the head of the data file
-    std::vector<std::string> commands;      ///< gnuplot commands before the plot: labels, ranges, marks
+    std::vector<std::string> commands;  ///< gnuplot commands before the plot: labels, ranges, marks
     std::vector<Curve> curves;
 };
 
 /// Text between gnuplot's single quotes.
 std::string gnuplot_string(std::string_view text);
 
-/// Writes name.dat (one block a curve) and name.gp and draws name.png and name.svg. Curves without rows are left out.
-/// Precondition: at least one curve has rows.
+/// Writes name.dat (one block a curve) and name.gp and draws name.png and name.svg. Curves without
+/// rows are left out. Precondition: at least one curve has rows.
 void draw(const LineFigure& figure, const std::filesystem::path& out);
 
-/// Writes name.gp, which draws `body` (the plot commands) once as PNG and once as SVG of width × height pixels at
-/// column width (340 pixels = 86 mm; PNG at 3 times that, 300 dpi), and runs it. The body may use nothing outside `out`.
-void run_gnuplot(const std::filesystem::path& out, const std::string& name, const std::string& body, int width, int height);
+/// Writes name.gp, which draws `body` (the plot commands) once as PNG and once as SVG of width ×
+/// height pixels at column width (340 pixels = 86 mm; PNG at 3 times that, 300 dpi), and runs it.
+/// The body may use nothing outside `out`.
+void run_gnuplot(const std::filesystem::path& out, const std::string& name, const std::string& body,
+                 int width, int height);
 
 /// Writes style.gp, which every script loads, into `out`.
 void write_style(const std::filesystem::path& out);

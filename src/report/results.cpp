@@ -18,7 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Json json_if_there(const fs::path& path) { return fs::exists(path) ? read_json(path) : Json::object(); }
+Json json_if_there(const fs::path& path) {
+    return fs::exists(path) ? read_json(path) : Json::object();
+}
 
 Table table_if_there(const fs::path& path) { return fs::exists(path) ? read_csv(path) : Table{}; }
 
@@ -35,7 +37,8 @@ std::string shown(const TomlNode& value) {
 }
 
 /// Every key with its table before it, "flow.drive", and its value as text.
-void gather(const TomlNode& table, const std::string& prefix, std::map<std::string, std::string>& out) {
+void gather(const TomlNode& table, const std::string& prefix,
+            std::map<std::string, std::string>& out) {
     for (const TomlEntry& entry : table.entries) {
         if (entry.value.kind == TomlNode::Kind::table) {
             gather(entry.value, prefix + entry.key + ".", out);
@@ -55,7 +58,8 @@ double number_or_nan(const Json& object, const char* key) {
     return object.contains(key) && object[key].is_number() ? object[key].get<double>() : nan;
 }
 
-/// Gathers every {mean, sd_time, sd_cells, window, unit} of the summary, whatever group it stands in.
+/// Gathers every {mean, sd_time, sd_cells, window, unit} of the summary, whatever group it stands
+/// in.
 void gather(const Json& json, Results& results) {
     for (const auto& [name, value] : json.items()) {
         if (!value.is_object()) continue;
@@ -65,8 +69,9 @@ void gather(const Json& json, Results& results) {
         }
         std::string unit = value.value("unit", "");
         if (unit == "1") unit.clear();
-        results.quantities.push_back(
-            {name, unit, number_or_nan(value, "mean"), number_or_nan(value, "sd_time"), number_or_nan(value, "sd_cells")});
+        results.quantities.push_back({name, unit, number_or_nan(value, "mean"),
+                                      number_or_nan(value, "sd_time"),
+                                      number_or_nan(value, "sd_cells")});
         const auto window = value.find("window");
         if (window == value.end() || !window->is_array() || window->size() != 2) continue;
         if (!(*window)[0].is_number() || !(*window)[1].is_number()) continue;
@@ -88,7 +93,8 @@ std::string Results::setting(const std::string& key, const std::string& otherwis
 }
 
 Results read_results(const fs::path& directory) {
-    if (!fs::is_directory(directory)) throw IoError(directory.string() + ": no such results directory");
+    if (!fs::is_directory(directory))
+        throw IoError(directory.string() + ": no such results directory");
     Results r;
     r.directory = directory;
     const bool resolved = fs::exists(directory / "resolved.toml");
@@ -100,10 +106,13 @@ Results read_results(const fs::path& directory) {
     r.series = table_if_there(directory / "series.csv");
     r.cells = table_if_there(directory / "cells.csv");
     r.profiles = table_if_there(directory / "profiles.csv");
-    if (fs::exists(directory / "frames.h5")) r.frames = std::make_shared<const FramesReader>(directory / "frames.h5");
+    if (fs::exists(directory / "frames.h5"))
+        r.frames = std::make_shared<const FramesReader>(directory / "frames.h5");
     if (r.settings.empty() && r.series.names.empty() && !r.frames)
-        throw IoError(fmt::format("{}: holds no results (no case, no series.csv, no frames.h5); "
-                                  "give a directory that `tanktread run` wrote", directory.string()));
+        throw IoError(
+            fmt::format("{}: holds no results (no case, no series.csv, no frames.h5); "
+                        "give a directory that `tanktread run` wrote",
+                        directory.string()));
     r.name = case_name(r);
     return r;
 }
@@ -119,9 +128,18 @@ double setting_si(const std::string& text) {
     if (end == text.c_str()) return nan;
     std::string unit = end;
     unit.erase(0, unit.find_first_not_of(" \t"));
-    static constexpr std::array<std::pair<const char*, double>, 12> known{{
-        {"", 1.0}, {"m", 1.0}, {"um", 1e-6}, {"nm", 1e-9}, {"mm", 1e-3}, {"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6},
-        {"/s", 1.0}, {"1/s", 1.0}, {"Pa s", 1.0}, {"cP", 1e-3}}};
+    static constexpr std::array<std::pair<const char*, double>, 12> known{{{"", 1.0},
+                                                                           {"m", 1.0},
+                                                                           {"um", 1e-6},
+                                                                           {"nm", 1e-9},
+                                                                           {"mm", 1e-3},
+                                                                           {"s", 1.0},
+                                                                           {"ms", 1e-3},
+                                                                           {"us", 1e-6},
+                                                                           {"/s", 1.0},
+                                                                           {"1/s", 1.0},
+                                                                           {"Pa s", 1.0},
+                                                                           {"cP", 1e-3}}};
     for (const auto& [name, factor] : known)
         if (unit == name) return value * factor;
     return nan;

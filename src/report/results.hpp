@@ -20,36 +20,37 @@ struct SummaryLine {
     double sd_time = 0.0, sd_cells = 0.0;  ///< NaN where it does not apply
 };
 
-/// A results directory as a reader meets it. A run that is not finished, or was killed, lacks some of the files;
-/// what is not there is empty.
+/// A results directory as a reader meets it. A run that is not finished, or was killed, lacks some
+/// of the files; what is not there is empty.
 struct Results {
     std::filesystem::path directory;
-    std::string name;                             ///< of the case
-    std::map<std::string, std::string> settings;  ///< "flow.drive" → "shear"; from resolved.toml, else case.toml
+    std::string name;  ///< of the case
+    std::map<std::string, std::string>
+        settings;  ///< "flow.drive" → "shear"; from resolved.toml, else case.toml
     Json status, provenance, summary;
     std::vector<SummaryLine> quantities;          ///< of the summary, in its order
     double window_begin = 0.0, window_end = 0.0;  ///< of averaging [s]; equal: none
     Table series, cells, profiles;
-    std::shared_ptr<const FramesReader> frames;   ///< nullptr: no frames.h5
+    std::shared_ptr<const FramesReader> frames;  ///< nullptr: no frames.h5
 
     /// A setting as its text, or `otherwise`.
     std::string setting(const std::string& key, const std::string& otherwise = "") const;
     bool finished() const { return !summary.empty(); }
 };
 
-/// Reads what is there. Throws IoError if the directory does not exist or holds neither a case nor any results, or if a
-/// file in it is damaged.
+/// Reads what is there. Throws IoError if the directory does not exist or holds neither a case nor
+/// any results, or if a file in it is damaged.
 Results read_results(const std::filesystem::path& directory);
 
 /// The values of a column; empty if the table has no such column.
 const std::vector<double>& values(const Table& table, std::string_view name);
 
-/// A length or other number of the settings in SI, from text such as "0.2 um", "75 /s", "1.2 cP" or a bare number.
-/// NaN if the text is not one.
+/// A length or other number of the settings in SI, from text such as "0.2 um", "75 /s", "1.2 cP" or
+/// a bare number. NaN if the text is not one.
 double setting_si(const std::string& text);
 
-/// Mean of a series column over the averaging window, or over the later half of the run if there is no window;
-/// NaN if there is no such column.
+/// Mean of a series column over the averaging window, or over the later half of the run if there is
+/// no window; NaN if there is no such column.
 double window_mean(const Results& results, const std::string& column);
 
 }  // namespace tt

@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A block of a file with raw appended data: its name and bytes, found through its offset as a reader finds it.
+/// A block of a file with raw appended data: its name and bytes, found through its offset as a
+/// reader finds it.
 struct Block {
     std::string name;
     std::string bytes;
@@ -76,10 +77,12 @@ TEST(ExportVtk, blocks_stand_where_the_offsets_say_and_hold_the_frame) {
     EXPECT_EQ(values<std::int64_t>(cells, "offsets").back(), grid.first.back());
     EXPECT_EQ(values<std::int64_t>(cells, "connectivity").size(), frame.nodes.size() / 2);
     EXPECT_EQ(values<double>(cells, "node force [N/m]").size(), points.size());
-    EXPECT_EQ(values<double>(cells, "stretch since the first frame").size(), frame.nodes.size() / 2);
+    EXPECT_EQ(values<double>(cells, "stretch since the first frame").size(),
+              frame.nodes.size() / 2);
 
     const std::string index = text_of(scratch / "vtk" / "cells.pvd");
-    EXPECT_NE(index.find("timestep=\"80\" part=\"0\" file=\"cells/cells_000002.vtp\""), std::string::npos);
+    EXPECT_NE(index.find("timestep=\"80\" part=\"0\" file=\"cells/cells_000002.vtp\""),
+              std::string::npos);
 }
 
 TEST(ExportCsv, tables_hold_the_frames) {

@@ -24,8 +24,9 @@ TEST(Figures, each_has_png_svg_data_and_script) {
     invent_results(scratch / "run");
     const std::vector<Results> runs{read_results(scratch / "run")};
     const std::vector<Figure> figures = draw_figures(runs, scratch / "figures");
-    for (const char* name : {"flow", "lambda_C", "deformation", "inclination", "mu_rel", "cell_free_layer", "area_error",
-                             "velocity_profile", "hematocrit_profile"})
+    for (const char* name :
+         {"flow", "lambda_C", "deformation", "inclination", "mu_rel", "cell_free_layer",
+          "area_error", "velocity_profile", "hematocrit_profile"})
         EXPECT_TRUE(drew(figures, name)) << name;
     for (const Figure& figure : figures) {
         const fs::path stem = scratch / "figures" / figure.name;
@@ -43,7 +44,8 @@ TEST(Figures, several_runs_are_overlaid_with_their_names) {
     ScratchFolder scratch;
     invent_results(scratch / "first");
     invent_results(scratch / "second", "--lambda-C 1.3");
-    const std::vector<Results> runs{read_results(scratch / "first"), read_results(scratch / "second")};
+    const std::vector<Results> runs{read_results(scratch / "first"),
+                                    read_results(scratch / "second")};
     const std::vector<Figure> figures = draw_figures(runs, scratch / "figures");
     EXPECT_TRUE(drew(figures, "lambda_C"));
     EXPECT_FALSE(drew(figures, "flow"));

@@ -15,7 +15,8 @@ namespace tt {
 class ScratchFolder {
 public:
     ScratchFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "tanktread-test-XXXXXX").string();
+        std::string name =
+            (std::filesystem::temp_directory_path() / "tanktread-test-XXXXXX").string();
         if (!mkdtemp(name.data())) throw std::runtime_error("no scratch folder");
         path_ = name;
     }
@@ -29,10 +30,13 @@ private:
 };
 
 /// Makes an invented results directory with tests/fixtures/invented_results.py.
-inline void invent_results(const std::filesystem::path& directory, const std::string& options = "") {
-    const std::string line = std::string("/usr/bin/python3 ") + TT_SOURCE_DIR + "/tests/fixtures/invented_results.py " +
-                             directory.string() + " " + options;
-    if (std::system(line.c_str()) != 0) throw std::runtime_error("failed: " + line + " (needs python3-h5py)");
+inline void invent_results(const std::filesystem::path& directory,
+                           const std::string& options = "") {
+    const std::string line = std::string("/usr/bin/python3 ") + TT_SOURCE_DIR +
+                             "/tests/fixtures/invented_results.py " + directory.string() + " " +
+                             options;
+    if (std::system(line.c_str()) != 0)
+        throw std::runtime_error("failed: " + line + " (needs python3-h5py)");
 }
 
 inline std::string text_of(const std::filesystem::path& path) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "io/json.hpp"
+#include "report/results.hpp"
+
+namespace tt {
+
+/// How much of a run the page may carry. What is left out is said on the page.
+struct PageLimits {
+    std::size_t rows = 1000;   ///< of a time series
+    std::size_t frames = 240;  ///< of the player
+    std::size_t nodes_per_cell = 96;
+    std::size_t node_bytes = 3 << 20;   ///< before base64, shared by all runs
+    std::size_t field_bytes = 3 << 19;  ///< of the speed behind the cells, likewise
+};
+
+/// Time series of a run as the charts of the page take them: {label, columns: [{key, unit, meaning,
+/// values}], cells}. Values keep six digits.
+Json chart_data(const Results& run, const std::string& label, const PageLimits& limits);
+
+/// Frames of a run as the player takes them: positions as 16-bit multiples of `quantum`, wrapped
+/// cell by cell; speed as bytes; both base64. null if there are no frames.
+Json player_data(const Results& run, const std::string& label, const PageLimits& limits);
+
+std::string base64(std::string_view bytes);
+
+}  // namespace tt

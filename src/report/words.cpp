@@ -1,0 +1,205 @@
+#include "report/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace tt {
+namespace {
+
+/// "80 um" → "80 µm".
+std::string pretty(std::string text) {
+    if (const auto at = text.find(" um"); at != std::string::npos) text.replace(at, 3, " µm");
+    return text;
+}
+
+std::string flow_words(const Results& run) {
+    const std::string drive = run.setting("flow.drive");
+    const std::string pseudo = run.setting("flow.pseudo_shear_rate");
+    if (drive == "shear") {
+        const std::string rate = run.setting("flow.shear_rate"),
+                          number = run.setting("flow.shear_number");
+        if (!rate.empty())
+            return "Walls that move against each other shear the fluid at " + rate + ".";
+        return number.empty()
+                   ? "Walls that move against each other shear the fluid."
+                   : "Walls that move against each other shear the fluid at a shear number of " +
+                         number + ".";
+    }
+    if (drive == "none") return "Nothing drives the flow.";
+    if (drive.empty()) return "";
+    const std::string how = drive == "body-force" ? "A body force" : "A pressure difference";
+    std::string text = how + " drives the flow along the channel";
+    if (!pseudo.empty())
+        text += ", at a nominal pseudo-shear rate (mean velocity / width) of " + pseudo;
+    if (run.setting("flow.hold") == "mean-velocity") text += ", with the mean velocity held";
+    if (run.setting("flow.hold") == "pressure-drop") text += ", with the pressure drop held";
+    return text + ".";
+}
+
+std::string cells_words(const Results& run) {
+    if (run.setting("numerics.fluid_only") == "true") return "There are no cells.";
+    std::string count = run.setting("cells.count");
+    if (count.empty() && run.frames) count = std::to_string(run.frames->header().first.size() - 1);
+    const std::string hematocrit = run.setting("cells.hematocrit");
+    std::string text = count.empty() ? "Cells" : count + (count == "1" ? " cell" : " cells");
+    if (const std::string shape = run.setting("cells.shape"); !shape.empty())
+        text += " that start as " + shape;
+    if (const std::string radius = run.setting("cells.radius"); !radius.empty())
+        text += " of radius " + pretty(radius);
+    if (!hematocrit.empty()) text += ", hematocrit " + hematocrit;
+    if (const std::string inside = run.setting("cells.cytoplasm_viscosity"); !inside.empty())
+        text += ", cytoplasm of " + inside;
+    if (const std::string outside = run.setting("plasma.viscosity"); !outside.empty())
+        text += " in plasma of " + outside;
+    return text + ".";
+}
+
+std::string membrane_words(const Results& run) {
+    const std::string law = run.setting("membrane.law");
+    if (law.empty()) return "";
+    std::string text = "Membrane law " + law;
+    const std::string apply = run.setting("membrane.hardening.apply_to");
+    if (apply.empty()) return text + ", no hardening.";
+    text += ", hardening of " + apply;
+    const std::string form = run.setting("membrane.hardening.form");
+    const std::string D = run.setting("membrane.hardening.D"),
+                      beta = run.setting("membrane.hardening.beta");
+    if (!form.empty())
+        text += " (" + form + (D.empty() ? "" : ", D = " + D) +
+                (beta.empty() ? "" : ", β = " + beta) + ")";
+    return text + ".";
+}
+
+std::string grid_words(const Results& run) {
+    std::string text;
+    if (run.frames) {
+        const FramesHeader& header = run.frames->header();
+        text = fmt::format("{} × {} sites, {:.4g} µm apart; time step {:.4g} µs", header.nx,
+                           header.ny, header.dx * 1e6, header.dt * 1e6);
+    }
+    if (const std::string end = run.setting("time.end"); !end.empty())
+        text += (text.empty() ? "" : "; ") + ("end at " + end);
+    return text.empty() ? "" : text + ".";
+}
+
+double site_spacing(const Results& run) {
+    return run.frames ? run.frames->header().dx : setting_si(run.setting("numerics.dx"));
+}
+
+double largest(const std::vector<double>& series) {
+    double worst = -1.0;
+    for (const double value : series)
+        if (std::isfinite(value)) worst = std::max(worst, std::abs(value));
+    return worst;
+}
+
+Check at_most(const Results& run, const std::string& name, const std::string& column, double limit,
+              const std::string& meaning) {
+    Check check{name, "", limit == 0.0 ? "none" : "≤ " + number_text(limit, 2), false, meaning};
+    const std::vector<double>& series = values(run.series, column);
+    if (series.empty()) return check;
+    const double worst = std::max(largest(series), 0.0);
+    check.worst = number_text(worst, 3);
+    check.raised = worst > limit;
+    return check;
+}
+
+Check gap_check(const Results& run) {
+    Check check{"smallest gap between cells", "", "≥ one site spacing", false,
+                "thinner films of plasma than the lattice resolves: forces and friction in them "
+                "are not to be trusted"};
+    const std::vector<double>& gaps = values(run.series, "smallest_gap");
+    const double spacing = site_spacing(run);
+    double smallest = std::numeric_limits<double>::infinity();
+    std::size_t looks = 0, below = 0;
+    for (const double gap : gaps) {
+        if (!std::isfinite(gap)) continue;
+        ++looks;
+        if (gap < spacing) ++below;
+        smallest = std::min(smallest, gap);
+    }
+    if (looks == 0 || !std::isfinite(spacing)) return check;
+    check.limit = fmt::format("≥ {} µm (site spacing)", number_text(spacing * 1e6, 3));
+    check.worst = fmt::format("{} µm", number_text(smallest * 1e6, 3));
+    check.raised = below > 0;
+    if (below > 0)
+        check.worst += fmt::format(", below in {:.0f} % of looks",
+                                   100.0 * static_cast<double>(below) / static_cast<double>(looks));
+    return check;
+}
+
+}  // namespace
+
+std::string case_in_words(const Results& run) {
+    std::string text;
+    const std::string length = run.setting("domain.length"), width = run.setting("domain.width");
+    if (!length.empty() && !width.empty())
+        text = fmt::format("A box {} long (periodic) and {} wide.", pretty(length), pretty(width));
+    for (const std::string& sentence :
+         {flow_words(run), cells_words(run), membrane_words(run), grid_words(run)})
+        if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
+    return text;
+}
+
+std::vector<Check> checks(const Results& run) {
+    return {
+        at_most(run, "nodes inside another cell", "overlaps", 0.0,
+                "cells overlapped: the contact model did not keep them apart"),
+        gap_check(run),
+        at_most(run, "largest area error", "area_error_max", 1e-3,
+                "cells gained or lost area; a larger area stiffness or a finer lattice keeps it"),
+        at_most(run, "largest Mach number", "mach", 0.1,
+                "the flow is too fast for the lattice: compressibility shows; a smaller time step "
+                "cures it"),
+        at_most(
+            run, "node-steps of short-range repulsion", "repulsion_count", 0.0,
+            "the short-range repulsion acted: contacts are not those of the contact model alone")};
+}
+
+std::string unfinished_note(const Results& run) {
+    const std::string state = run.status.value("status", run.status.value("state", std::string()));
+    if (run.finished() && (state.empty() || state == "done")) return "";
+    const double reached = run.status.value("time", 0.0), end = run.status.value("end", 0.0);
+    std::string text = "This run is not finished";
+    if (!state.empty() && state != "done") text += " (" + state + ")";
+    if (end > 0.0)
+        text += fmt::format(": it had reached {} of {} ms", number_text(reached * 1e3),
+                            number_text(end * 1e3));
+    return text +
+           ". Figures show what there is; means over the stated window are missing or provisional.";
+}
+
+DisplayUnit display_unit(const std::string& si_unit) {
+    static const std::array<std::pair<const char*, DisplayUnit>, 5> known{
+        {{"m", {1e6, "µm"}},
+         {"s", {1e3, "ms"}},
+         {"m/s", {1e3, "mm/s"}},
+         {"Pa s", {1e3, "mPa s"}},
+         {"m^2/s", {1e9, "10⁻⁹ m²/s"}}}};
+    for (const auto& [si, unit] : known)
+        if (si_unit == si) return unit;
+    return {1.0, si_unit};
+}
+
+std::string number_text(double value, int digits) {
+    if (!std::isfinite(value)) return "–";
+    std::string text = fmt::format("{:.{}g}", value, digits);
+    if (const auto at = text.find('e'); at != std::string::npos) {
+        static constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴",
+                                                            "⁵", "⁶", "⁷", "⁸", "⁹"};
+        const int power = std::atoi(text.c_str() + at + 1);
+        text = text.substr(0, at) + " × 10" + (power < 0 ? "⁻" : "");
+        for (const char digit : std::to_string(std::abs(power)))
+            text += raised[static_cast<std::size_t>(digit - '0')];
+    }
+    if (text.front() == '-') text.replace(0, 1, "−");
+    return text;
+}
+
+}  // namespace tt

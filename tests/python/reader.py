@@ -1,0 +1,62 @@
+"""The Python reader sees what a results directory holds. usage: reader.py SOURCE_DIR"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+source = pathlib.Path(sys.argv.pop(1))
+sys.path.insert(0, str(source / "python"))
+from tanktread import Results  # noqa: E402
+
+
+class Reader(unittest.TestCase):
+    def invent(self, *options):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        out = pathlib.Path(scratch.name) / "run"
+        subprocess.run([sys.executable, source / "tests/fixtures/invented_results.py", out, *options], check=True)
+        return Results(out)
+
+    def test_tables_have_columns_units_and_cells(self):
+        run = self.invent()
+        self.assertEqual(len(run.series), 60)
+        self.assertEqual(run.series.units["mean_velocity"], "m/s")
+        self.assertEqual(run.series.units["lambda_C"], "")
+        third = run.cells.of_cell(2)
+        self.assertEqual(len(third), 60)
+        self.assertTrue((third["cell"] == 2).all())
+        mean = np.mean([run.cells.of_cell(c)["lambda_C"] for c in range(4)], axis=0)
+        np.testing.assert_allclose(run.series["lambda_C"], mean, rtol=1e-8)
+        self.assertEqual(len(run.profiles["y"]), run.grid["ny"])
+        self.assertIn("window", run.summary["lambda_C"])
+
+    def test_frames_have_outlines_in_the_box_and_fields(self):
+        run = self.invent("--frames", "3")
+        times = []
+        for frame in run.frames():
+            times.append(frame.time)
+            self.assertEqual(frame.cell_count, 4)
+            self.assertEqual(frame.velocity.shape, (run.grid["ny"], run.grid["nx"], 2))
+            for cell in range(frame.cell_count):
+                outline = frame.outline(cell)
+                self.assertTrue(0 <= outline[:, 0].mean() < run.grid["length"])
+                shift = (frame.outline(cell, wrapped=False) - outline)[:, 0] / run.grid["length"]
+                np.testing.assert_allclose(shift, np.round(shift[0]), atol=1e-9)
+            with self.assertRaises(AttributeError):
+                frame.temperature
+        np.testing.assert_allclose(times, [0, 40e-3, 80e-3])
+
+    def test_unfinished_run_gives_what_there_is(self):
+        run = self.invent("--stage", "running")
+        self.assertEqual(len(run.series), 59)
+        self.assertEqual(run.summary, {})
+        with self.assertRaises(FileNotFoundError):
+            run.profiles
+        with self.assertRaises(FileNotFoundError):
+            Results(run.directory / "absent")
+
+
+unittest.main()
