@@ -102,7 +102,7 @@ void ArchiveReader::read_sections(std::size_t end) {
         read(section.code);
         read(section.count);
         const std::size_t size = element_size(section.code);
-        if (size == 0 || section.count > (end - at) / size) throw_damaged("section '" + name + "' is cut short");
+        if (size == 0 || section.count > (end - at) / size) throw_damaged(fmt::format("section '{}' is cut short", name));
         section.offset = at;
         at += section.count * size;
         sections_[name] = section;
@@ -116,6 +116,10 @@ const ArchiveReader::Section& ArchiveReader::find(std::string_view name, char co
         throw_damaged(fmt::format("section '{}' is absent or of another type", name));
     }
     return found->second;
+}
+
+void ArchiveReader::expect_single(std::string_view name, std::size_t count) const {
+    if (count != 1) throw_damaged(fmt::format("section '{}' holds {} values, not one", name, count));
 }
 
 std::string ArchiveReader::text(std::string_view name) const {

@@ -85,7 +85,7 @@ public:
     template <class T>
     T value(std::string_view name) const {
         const std::vector<T> values = take<T>(name);
-        if (values.size() != 1) throw_damaged("section '" + std::string(name) + "' is not one value");
+       expect_single(name, values.size());
         return values.front();
     }
     std::string text(std::string_view name) const;
@@ -99,6 +99,7 @@ private:
         std::size_t offset;
     };
     const Section& find(std::string_view name, char code) const;
+    void expect_single(std::string_view name, std::size_t count) const;
     [[noreturn]] void throw_damaged(std::string_view what) const;
     void read_sections(std::size_t end);
 

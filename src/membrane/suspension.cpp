@@ -14,6 +14,14 @@ double turning(Vec2 before, Vec2 after) {
 
 }  // namespace
 
+void size_derived(Suspension& cells) {
+    for (auto* zero : {&cells.edge_x, &cells.edge_y, &cells.tension, &cells.moment, &cells.dipole_xx,
+                       &cells.dipole_xy, &cells.rate_xx, &cells.rate_xy}) {
+        zero->resize(cells.x.size(), 0.0);
+    }
+    for (auto* one : {&cells.length, &cells.stretch, &cells.hardening}) one->resize(cells.x.size(), 1.0);
+}
+
 void add_cell(Suspension& cells, const std::vector<Vec2>& points) {
     TT_EXPECTS(points.size() >= 8);
     const std::size_t n = points.size();
@@ -32,11 +40,8 @@ void add_cell(Suspension& cells, const std::vector<Vec2>& points) {
     }
     TT_EXPECTS(doubled_area > 0.0);
     cells.first.push_back(cells.first.back() + static_cast<std::int32_t>(n));
-    for (auto* zero : {&cells.fx, &cells.fy, &cells.ux, &cells.uy, &cells.edge_x, &cells.edge_y, &cells.tension,
-                       &cells.moment, &cells.dipole_xx, &cells.dipole_xy, &cells.rate_xx, &cells.rate_xy}) {
-        zero->resize(cells.x.size(), 0.0);
-    }
-    for (auto* one : {&cells.length, &cells.stretch, &cells.hardening}) one->resize(cells.x.size(), 1.0);
+    for (auto* zero : {&cells.fx, &cells.fy, &cells.ux, &cells.uy}) zero->resize(cells.x.size(), 0.0);
+    size_derived(cells);
     cells.reference_area.push_back(0.5 * doubled_area);
     cells.reference_perimeter.push_back(perimeter);
     cells.alpha.push_back(1.0);

@@ -64,4 +64,7 @@ inline Outline outline(const Suspension& cells, int cell) {
 /// polygon, rest curvature that of its nodes. Precondition: at least 8 points, counter-clockwise, simple.
 void add_cell(Suspension& cells, const std::vector<Vec2>& points);
 
+/// Gives the derived arrays their size: after the nodes were added or loaded.
+void size_derived(Suspension& cells);
+
 }  // namespace tt

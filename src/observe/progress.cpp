@@ -1,0 +1,82 @@
+#include "observe/progress.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "io/json.hpp"
+
+namespace tt {
+namespace {
+
+/// 3:12, 2:03:12 or 4 d 2 h.
+std::string duration(double seconds) {
+    if (!std::isfinite(seconds)) return "?";
+    const auto total = static_cast<long long>(std::llround(std::min(seconds, 1e9)));
+    if (total >= 2 * 86400) return fmt::format("{} d {} h", total / 86400, total % 86400 / 3600);
+    if (total >= 3600) return fmt::format("{}:{:02}:{:02}", total / 3600, total % 3600 / 60, total % 60);
+    return fmt::format("{}:{:02}", total / 60, total % 60);
+}
+
+}  // namespace
+
+std::string progress_line(const Standing& s) {
+    const double percent = s.steps > 0 ? 100.0 * static_cast<double>(s.step) / static_cast<double>(s.steps) : 100.0;
+    std::string line = fmt::format("{:5.1f} %  {:.4g}/{:.4g} ms  {:.3g} steps/s  {:.3g} MLUPS", percent, s.time * 1e3,
+                                   s.end * 1e3, s.steps_per_second, s.mlups);
+    if (s.cells > 0) line += fmt::format("  λ_C {:.3f}", s.lambda_C);
+    return line + fmt::format("  {} left", duration(s.seconds_left));
+}
+
+std::string progress_json(const Standing& s) {
+    const Json line{{"step", s.step},
+                    {"steps", s.steps},
+                    {"time", s.time},
+                    {"end", s.end},
+                    {"steps_per_second", s.steps_per_second},
+                    {"mlups", s.mlups},
+                    {"lambda_C", s.lambda_C},
+                    {"wall_seconds", s.wall_seconds},
+                    {"seconds_left", s.seconds_left}};
+    return line.dump();
+}
+
+Progress::Progress(ProgressMode mode) : mode_(mode) {
+    if (mode_ == ProgressMode::automatic) mode_ = isatty(STDERR_FILENO) ? ProgressMode::bar : ProgressMode::log;
+}
+
+Progress::~Progress() {
+    if (line_open_) std::fputs("\n", stderr);
+}
+
+double Progress::interval() const {
+    switch (mode_) {
+        case ProgressMode::bar: return 0.2;
+        case ProgressMode::json: return 1.0;
+        case ProgressMode::none: return std::numeric_limits<double>::infinity();
+        default: return 10.0;
+    }
+}
+
+void Progress::show(const Standing& standing) {
+    if (mode_ == ProgressMode::none) return;
+    if (mode_ == ProgressMode::bar) {
+        fmt::print(stderr, "\r\x1b[K{}", progress_line(standing));
+        std::fflush(stderr);
+        line_open_ = true;
+        return;
+    }
+    fmt::print(stderr, "{}\n", mode_ == ProgressMode::json ? progress_json(standing) : progress_line(standing));
+}
+
+void Progress::say(const std::string& message) {
+    if (line_open_) std::fputs("\r\x1b[K", stderr);
+    line_open_ = false;
+    if (mode_ != ProgressMode::none) fmt::print(stderr, "{}\n", message);
+}
+
+}  // namespace tt

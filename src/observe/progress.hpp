@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "observe/pace.hpp"
+
+namespace tt {
+
+/// One line rewritten 5 times a second on a terminal, a plain line every 10 s elsewhere (`automatic` looks which it is),
+/// a line of JSON every second, or nothing.
+enum class ProgressMode { automatic, bar, log, json, none };
+
+/// `42.1 %  33.68/80 ms  1234 steps/s  58.2 MLUPS  λ_C 1.086  3:12 left`, at most 79 columns.
+std::string progress_line(const Standing& standing);
+/// The same numbers as one JSON object without a line break.
+std::string progress_json(const Standing& standing);
+
+/// Shows how a run goes, on stderr.
+class Progress {
+public:
+    explicit Progress(ProgressMode mode);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// Wall seconds between two lines; infinite for `none`.
+    double interval() const;
+    void show(const Standing& standing);
+    /// A message of its own line that does not mix with the progress line.
+    void say(const std::string& message);
+
+private:
+    ProgressMode mode_;
+    bool line_open_ = false;
+};
+
+}  // namespace tt

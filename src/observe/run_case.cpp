@@ -1,0 +1,299 @@
+#include "observe/run_case.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "observe/checkpoints.hpp"
+#include "observe/frame_recorder.hpp"
+#include "observe/profile_average.hpp"
+#include "observe/provenance.hpp"
+#include "observe/series.hpp"
+#include "observe/status.hpp"
+#include "observe/summary.hpp"
+#include "simulation/run.hpp"
+#include "simulation/state_archive.hpp"
+#include "simulation/stop.hpp"
+
+namespace tt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Something to do by the wall clock.
+class Duty {
+public:
+    explicit Duty(double interval) : interval_(interval), next_(after(interval)) {}
+    bool due() const { return Clock::now() >= next_; }
+    void done() { next_ = after(interval_); }
+    Clock::time_point next() const { return next_; }
+
+private:
+    static Clock::time_point after(double seconds) {
+        constexpr double for_ever = 1e9;
+        const std::chrono::duration<double> wait(std::min(seconds, for_ever));
+        return Clock::now() + std::chrono::duration_cast<Clock::duration>(wait);
+    }
+    double interval_;
+    Clock::time_point next_;
+};
+
+/// One session of a run: opening the directory, the loop, the ending.
+class CaseRun {
+public:
+    CaseRun(const RunRequest& request, const Model& model, Exchange& exchange);
+
+    RunOutcome run(const std::function<State()>& initial);
+
+private:
+    std::string case_hash() const;
+    void say(const std::string& message);
+    void add_observers();
+    void start(const std::function<State()>& initial);
+    void resume(const ArchiveReader& archive);
+    bool was_done() const;
+
+    void loop();
+    void observe();
+    void attend_to_duties();
+    void save_checkpoint();
+    void finish();
+    void record_failure(const SimulationError& error);
+
+    bool at_end() const { return state_.step >= steps_; }
+    Standing standing();
+    void record(const std::string& phase);
+    double wall_seconds() const { return earlier_seconds_ + pace_->seconds(); }
+    RunOutcome outcome(RunOutcome::Ending ending) const;
+
+    const RunRequest& request_;
+    const Model& model_;
+    Exchange& exchange_;
+    const std::int64_t steps_;
+    ResultsDirectory results_;
+    Checkpoints checkpoints_;
+    Progress progress_;
+    OutputFile log_;
+    State state_;
+    Observers observers_;
+    std::optional<Health> health_;
+    std::optional<Pace> pace_;
+    Session session_;
+    double earlier_seconds_ = 0.0;
+    Duty status_duty_, progress_duty_, checkpoint_duty_, time_limit_;
+};
+
+CaseRun::CaseRun(const RunRequest& request, const Model& model, Exchange& exchange)
+    : request_(request),
+      model_(model),
+      exchange_(exchange),
+      steps_(steps_until(request.end.si, model.scales.time)),
+      results_(request.directory, case_hash(), request.start),
+      checkpoints_(results_.path(), case_hash()),
+      progress_(request.progress),
+      log_(results_.path() / "run.log", OutputFile::Mode::append),
+      status_duty_(2.0),
+      progress_duty_(progress_.interval()),
+      checkpoint_duty_(request.checkpoint.si),
+      time_limit_(request.max_time ? request.max_time->si : std::numeric_limits<double>::infinity()) {
+    session_.started = utc_now();
+    session_.ending = "running";
+    if (!results_.moved_to().empty()) say(fmt::format("moved the former results to '{}'", results_.moved_to().string()));
+}
+
+std::string CaseRun::case_hash() const {
+    return hexadecimal(checksum(request_.identity.empty() ? request_.resolved_toml : request_.identity));
+}
+
+void CaseRun::say(const std::string& message) {
+    log_.append(fmt::format("{} {}\n", utc_now(), message));
+    progress_.say(message);
+}
+
+void CaseRun::add_observers() {
+    const double dt = model_.scales.time;
+    const Schedule series(request_.series.si, dt);
+    const Schedule frames(request_.frames.si, dt);
+    const fs::path& path = results_.path();
+    const auto tell = [this](const std::string& message) { say(message); };
+    observers_.push_back(std::make_unique<Series>(series, path));
+    observers_.push_back(std::make_unique<ProfileAverage>(series, path, request_.average_from, model_));
+    observers_.push_back(
+        std::make_unique<FrameRecorder>(frames, path, frames_header(model_, state_, request_.name), tell));
+}
+
+void CaseRun::start(const std::function<State()>& initial) {
+    state_ = initial();
+    pace_.emplace(state_.step);
+    record("running");
+    replace_file(results_.path() / "case.toml", request_.case_toml, Durability::power);
+    replace_file(results_.path() / "resolved.toml", request_.resolved_toml, Durability::power);
+    say(fmt::format("'{}': {} steps on {} x {} sites, {} cells, {} threads", request_.name, steps_, model_.lattice.nx,
+                    model_.lattice.ny, state_.cells.cell_count(), model_.threads));
+    add_observers();
+    for (const auto& observer : observers_) observer->start();
+    health_.emplace(request_.limits, state_);
+    for (const auto& observer : observers_) observer->observe(Snapshot(model_, state_));
+    save_checkpoint();
+}
+
+void CaseRun::resume(const ArchiveReader& archive) {
+    state_ = load_state(archive, model_, exchange_);
+    earlier_seconds_ = archive.value<double>("wall_seconds");
+    pace_.emplace(state_.step);
+    session_.from_step = state_.step;
+    add_observers();
+    health_.emplace(request_.limits, state_);
+}
+
+bool CaseRun::was_done() const { return at_end() && fs::exists(results_.path() / "summary.json"); }
+
+Standing CaseRun::standing() {
+    pace_->update(state_.step);
+    Standing now;
+    now.name = request_.name;
+    now.step = state_.step;
+    now.steps = steps_;
+    now.time = static_cast<double>(state_.step) * model_.scales.time;
+    now.end = request_.end.si;
+    now.wall_seconds = wall_seconds();
+    now.steps_per_second = at_end() ? pace_->mean_rate(state_.step) : pace_->steps_per_second();
+    now.mlups = now.steps_per_second * model_.lattice.nx * model_.lattice.ny * 1e-6;
+    now.seconds_left = at_end() ? 0.0 : static_cast<double>(steps_ - state_.step) / now.steps_per_second;
+    now.lambda_C = mean_extension(state_.cells);
+    now.checkpoint_step = checkpoints_.saved_step();
+    now.cells = state_.cells.cell_count();
+    now.threads = model_.threads;
+    return now;
+}
+
+/// status.json and PROVENANCE.json as things stand.
+void CaseRun::record(const std::string& phase) {
+    session_.to_step = state_.step;
+    session_.wall_seconds = pace_->seconds();
+    session_.ending = phase;
+    const Provenance provenance{request_.name, case_hash(), request_.case_toml, request_.resolved_toml,
+                                request_.command_line, model_.threads};
+    write_provenance(results_.path(), provenance, session_, hexadecimal(state_hash(state_)));
+    write_status(results_.path(), standing(), phase);
+}
+
+void CaseRun::observe() {
+    if (auto fault = health_->examine(model_, state_)) throw SimulationError(*fault);
+    const Snapshot snapshot(model_, state_);
+    for (const auto& observer : observers_) {
+        if (observer->schedule().due(state_.step) || at_end()) observer->observe(snapshot);
+    }
+}
+
+void CaseRun::save_checkpoint() {
+    if (auto fault = health_->examine(model_, state_)) throw SimulationError(*fault);
+    checkpoints_.save(state_, observers_, wall_seconds());
+    checkpoint_duty_.done();
+}
+
+void CaseRun::attend_to_duties() {
+    if (progress_duty_.due()) {
+        progress_.show(standing());
+        progress_duty_.done();
+    }
+    if (status_duty_.due()) {
+        write_status(results_.path(), standing(), "running");
+        status_duty_.done();
+    }
+    if (checkpoint_duty_.due()) save_checkpoint();
+}
+
+void CaseRun::loop() {
+    while (!at_end() && !stop_requested() && !time_limit_.due()) {
+        std::int64_t until = steps_;
+        for (const auto& observer : observers_) until = std::min(until, observer->schedule().next_after(state_.step));
+        const auto wake = std::min({status_duty_.next(), progress_duty_.next(), checkpoint_duty_.next(), time_limit_.next()});
+        run_steps(model_, state_, exchange_, *health_, until, wake);
+        if (state_.step == until) observe();
+        attend_to_duties();
+    }
+}
+
+void CaseRun::finish() {
+    for (const auto& observer : observers_) observer->finish();
+    SummaryInput input;
+    input.average_from = request_.average_from;
+    input.average_to = Time{static_cast<double>(steps_) * model_.scales.time};
+    input.shear_rate = Rate{model_.shear_rate / model_.scales.time};
+    input.shear_number = request_.shear_number;
+    input.wall_seconds = wall_seconds();
+    const double rate = static_cast<double>(steps_) / input.wall_seconds;
+    input.mlups = rate * model_.lattice.nx * model_.lattice.ny * 1e-6;
+    input.cell_steps_per_second = rate * state_.cells.cell_count();
+    input.steps = steps_;
+    input.threads = model_.threads;
+    write_json(results_.path() / "summary.json", summarise(results_.path(), input), Durability::power);
+    record("done");
+    say(fmt::format("done: {} steps in {:.1f} s of wall time", steps_, input.wall_seconds));
+}
+
+/// Leaves failure/ with the last good state, the one that failed, and why. Never masks the error it records.
+void CaseRun::record_failure(const SimulationError& error) {
+    try {
+        const fs::path folder = results_.path() / "failure";
+        make_directory(folder);
+        std::error_code code;
+        fs::copy_file(checkpoints_.current(), folder / "last_good", fs::copy_options::overwrite_existing, code);
+        ArchiveWriter archive(folder / "failing");
+        archive.put_text("case", case_hash());
+        save_state(archive, state_);
+        archive.commit();
+        replace_file(folder / "why.txt", fmt::format("{}\n\nlast_good is the checkpoint of step {}; failing is the state of "
+                                                     "step {}, to look at only.\n", error.what(),
+                                                     checkpoints_.saved_step(), state_.step), Durability::power);
+        record("failed");
+        say(error.what());
+    } catch (const IoError& second) {
+        progress_.say(fmt::format("the failure could not be recorded: {}", second.what()));
+    }
+}
+
+RunOutcome CaseRun::outcome(RunOutcome::Ending ending) const {
+    return {ending, state_.step, steps_, state_hash(state_), wall_seconds()};
+}
+
+RunOutcome CaseRun::run(const std::function<State()>& initial) {
+    const auto tell = [this](const std::string& message) { say(message); };
+    try {
+        if (const auto archive = checkpoints_.newest(tell)) {
+            resume(*archive);
+            if (was_done()) return outcome(RunOutcome::Ending::was_done);
+            fs::remove(results_.path() / "summary.json");  // of an earlier end, where the end was moved
+            for (const auto& observer : observers_) observer->resume(*archive);
+            record("running");
+            say(fmt::format("resumed at step {} of {}", state_.step, steps_));
+        } else {
+            start(initial);
+        }
+        loop();
+        if (checkpoints_.saved_step() != state_.step) save_checkpoint();
+        if (!at_end()) {
+            record("stopped");
+            say(fmt::format("stopped at step {} of {}; the same command resumes", state_.step, steps_));
+            return outcome(RunOutcome::Ending::stopped);
+        }
+        finish();
+        return outcome(RunOutcome::Ending::done);
+    } catch (const SimulationError& error) {
+        record_failure(error);
+        throw;
+    }
+}
+
+}  // namespace
+
+RunOutcome run_case(const RunRequest& request, const Model& model, const std::function<State()>& initial,
+                    Exchange& exchange) {
+    catch_stop_signals();
+    return CaseRun(request, model, exchange).run(initial);
+}
+
+}  // namespace tt

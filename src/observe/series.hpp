@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "io/file.hpp"
+#include "observe/observer.hpp"
+
+namespace tt {
+
+/// series.csv, one row of RunMeasures a look, and cells.csv, one row of CellMeasures a cell and look. Integrates the
+/// tank-treading phase of each cell from its rate by the trapezoidal rule over the looks.
+class Series : public Observer {
+public:
+    Series(const Schedule& schedule, const std::filesystem::path& directory);
+
+    void start() override;
+    void resume(const ArchiveReader& archive) override;
+    void observe(const Snapshot& snapshot) override;
+    void save(ArchiveWriter& archive) override;
+
+private:
+    std::vector<CellMeasures> with_phase(const Snapshot& snapshot);
+
+    std::filesystem::path directory_;
+    std::optional<OutputFile> series_, cells_;
+    double last_time_ = 0.0;
+    std::vector<double> phase_, last_rate_;  ///< per cell; empty before the first look
+};
+
+}  // namespace tt

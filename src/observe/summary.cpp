@@ -1,0 +1,141 @@
+#include "observe/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "io/csv.hpp"
+
+namespace tt {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Mean and spread of the numbers that are numbers: a measure that is not defined at some look is left out there.
+struct Sample {
+    std::vector<double> values;
+
+    void add(double value) {
+        if (std::isfinite(value)) values.push_back(value);
+    }
+    double mean() const {
+        if (values.empty()) return none;
+        double sum = 0.0;
+        for (const double value : values) sum += value;
+        return sum / static_cast<double>(values.size());
+    }
+    /// With n − 1; not defined for fewer than two.
+    double deviation() const {
+        if (values.size() < 2) return none;
+        const double centre = mean();
+        double sum = 0.0;
+        for (const double value : values) sum += (value - centre) * (value - centre);
+        return std::sqrt(sum / static_cast<double>(values.size() - 1));
+    }
+    double smallest() const { return values.empty() ? none : *std::min_element(values.begin(), values.end()); }
+    double largest() const { return values.empty() ? none : *std::max_element(values.begin(), values.end()); }
+};
+
+/// NaN is not JSON.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json quantity(const Sample& all, const Sample& over_time, const Sample* over_cells, const SummaryInput& input,
+              const std::string& unit) {
+    return Json{{"mean", number(all.mean())},
+                {"sd_time", number(over_time.deviation())},
+                {"sd_cells", over_cells ? number(over_cells->deviation()) : Json(nullptr)},
+                {"min", number(all.smallest())},
+                {"max", number(all.largest())},
+                {"window", {input.average_from.si, input.average_to.si}},
+                {"unit", unit}};
+}
+
+bool in_window(double time, const SummaryInput& input) {
+    // Times are steps · dt: the last one may exceed the end by rounding, and must not fall out.
+    const double slack = 1e-9 * std::abs(input.average_to.si);
+    return time >= input.average_from.si - slack && time <= input.average_to.si + slack;
+}
+
+Json of_run(const Table& series, const std::string& name, const SummaryInput& input) {
+    Sample sample;
+    const auto& time = series.column("time");
+    const auto& column = series.column(name);
+    for (std::size_t k = 0; k < column.size(); ++k) {
+        if (in_window(time[k], input)) sample.add(column[k]);
+    }
+    return quantity(sample, sample, nullptr, input, series.unit(name));
+}
+
+/// The column `name` of cells.csv in the window, sorted by look and by cell.
+struct CellSamples {
+    Sample all;
+    Sample look_means;
+    std::vector<Sample> cells;
+};
+
+CellSamples gather(const Table& cells, const std::string& name, const SummaryInput& input) {
+    CellSamples result;
+    const auto& time = cells.column("time");
+    const auto& cell = cells.column("cell");
+    const auto& column = cells.column(name);
+    Sample look;
+    for (std::size_t k = 0; k < column.size(); ++k) {
+        if (!in_window(time[k], input)) continue;
+        result.all.add(column[k]);
+        look.add(column[k]);
+        const auto number = static_cast<std::size_t>(cell[k]);
+        if (result.cells.size() <= number) result.cells.resize(number + 1);
+        result.cells[number].add(column[k]);
+        if (k + 1 == column.size() || time[k + 1] != time[k]) {
+            result.look_means.add(look.mean());
+            look.values.clear();
+        }
+    }
+    return result;
+}
+
+Json of_cells(const Table& cells, const std::string& name, const SummaryInput& input) {
+    const CellSamples samples = gather(cells, name, input);
+    Sample means;
+    for (const Sample& cell : samples.cells) means.add(cell.mean());
+    return quantity(samples.all, samples.look_means, &means, input, cells.unit(name));
+}
+
+Json tank_treading(const Table& cells, const SummaryInput& input) {
+    Sample periods;
+    for (const Sample& cell : gather(cells, "phase_rate", input).cells) {
+        periods.add(input.shear_rate.si * 2.0 * std::numbers::pi / std::abs(cell.mean()));
+    }
+    return quantity(periods, Sample{}, &periods, input, "");
+}
+
+}  // namespace
+
+Json summarise(const std::filesystem::path& results, const SummaryInput& input) {
+    const Table series = read_csv(results / "series.csv");
+    const Table cells = read_csv(results / "cells.csv");
+    Json summary;
+    for (const char* name : {"taylor_inertia", "taylor_extent", "inclination_deg", "strain", "lambda_C"}) {
+        summary[name] = of_cells(cells, name, input);
+    }
+    summary["tank_treading_kT"] = tank_treading(cells, input);
+    for (const char* name : {"area_error_max", "mean_velocity", "pseudo_shear_rate", "flux", "pressure_gradient", "mu_app",
+                             "mu_rel", "cfl_gap", "cfl_envelope", "cfl_profile", "cfl_core", "hematocrit_tube",
+                             "hematocrit_discharge", "mach", "smallest_gap", "overlaps", "repulsion_count"}) {
+        summary[name] = of_run(series, name, input);
+    }
+    summary["shear_number"] = input.shear_number ? number(*input.shear_number) : Json(nullptr);
+    for (const char* name : {"shear_number_star_traction", "shear_number_star_principal"}) {
+        summary[name] = of_cells(cells, name, input);
+    }
+    summary["steps"] = input.steps;
+    summary["threads"] = input.threads;
+    summary["wall_seconds"] = input.wall_seconds;
+    summary["mlups"] = number(input.mlups);
+    summary["cell_steps_per_second"] = number(input.cell_steps_per_second);
+    return summary;
+}
+
+}  // namespace tt

@@ -1,0 +1,161 @@
+#include "simulation/health.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "grid/d2q9.hpp"
+#include "membrane/outline.hpp"
+#include "membrane/outline_checks.hpp"
+
+namespace tt {
+namespace {
+
+const char* const smaller_step = "a smaller dt (or a lower density_scale), a finer node spacing, or a softer membrane";
+
+int cell_of(const Suspension& cells, int node) {
+    const auto after = std::upper_bound(cells.first.begin(), cells.first.end(), node);
+    return static_cast<int>(after - cells.first.begin()) - 1;
+}
+
+/// What was measured against what.
+struct Reading {
+    std::string quantity;
+    double value;
+    double limit;
+    std::string unit;
+};
+
+Instability fault(const Model& model, const State& state, Reading reading) {
+    Instability what;
+    what.quantity = std::move(reading.quantity);
+    what.value = reading.value;
+    what.limit = reading.limit;
+    what.unit = std::move(reading.unit);
+    what.step = state.step;
+    what.time = static_cast<double>(state.step) * model.scales.time;
+    return what;
+}
+
+Instability fault_at_node(const Model& model, const State& state, int node, Reading reading) {
+    Instability what = fault(model, state, std::move(reading));
+    what.cell = cell_of(state.cells, node);
+    what.node = node - state.cells.first[what.cell];
+    return what;
+}
+
+/// Every node finite and, where there are walls, between them.
+std::optional<Instability> node_places(const Model& model, const State& state) {
+    const Suspension& cells = state.cells;
+    // Far beyond any real travel, yet far from where a site index would overflow.
+    constexpr double farthest = 1e15;
+    const double height = model.lattice.ny;
+    for (int n = 0; n < cells.node_count(); ++n) {
+        const double x = cells.x[n];
+        const double y = cells.y[n];
+        const bool known = std::abs(x) < farthest && std::abs(y) < farthest;
+        if (known && (!model.lattice.walls || (y > 0.0 && y < height))) continue;
+        const bool in_x = !(std::abs(x) < farthest);
+        const double limit = !known ? farthest : y > 0.0 ? height : 0.0;
+        Instability what = fault_at_node(model, state, n, {in_x ? "node x" : "node y", in_x ? x : y, limit, "sites"});
+        what.cause = known ? "a node went through a wall" : "a force or a velocity overflowed";
+        what.cure = smaller_step;
+        return what;
+    }
+    return std::nullopt;
+}
+
+std::optional<Instability> speeds(const Model& model, const State& state, double mach) {
+    const Lattice& lattice = model.lattice;
+    const double limit = mach * mach * d2q9::sound_speed_squared;
+    for (int j = 0; j < lattice.ny; ++j) {
+        const double* const ux = state.velocity.x.row(j);
+        const double* const uy = state.velocity.y.row(j);
+        const auto too_fast = [&](int i) { return !(ux[i] * ux[i] + uy[i] * uy[i] < limit); };
+        int count = 0;
+        for (int i = 0; i < lattice.nx; ++i) count += too_fast(i) ? 1 : 0;
+        if (count == 0) continue;
+        int i = 0;
+        while (!too_fast(i)) ++i;
+        const double value = std::sqrt((ux[i] * ux[i] + uy[i] * uy[i]) / d2q9::sound_speed_squared);
+        Instability what =
+            fault(model, state, {fmt::format("Mach number at site ({}, {})", i, j), value, mach, ""});
+        what.cause = "the flow is too fast for the time step, or a membrane force has blown up";
+        what.cure = "a smaller dt (or a lower density_scale) or a slower flow";
+        return what;
+    }
+    return std::nullopt;
+}
+
+std::optional<Instability> areas(const Model& model, const State& state, double limit) {
+    const Suspension& cells = state.cells;
+    for (int c = 0; c < cells.cell_count(); ++c) {
+        const double error = signed_area(outline(cells, c)) / cells.reference_area[c] - 1.0;
+        if (std::abs(error) < limit) continue;
+        const char* const quantity = error <= -1.0 ? "area error (the outline is inside out)" : "area error";
+        Instability what = fault(model, state, {quantity, 100.0 * error, 100.0 * limit, "%"});
+        what.cell = c;
+        what.cause = "the membrane leaks or the cell collapsed";
+        what.cure = "a larger area_stiffness, a finer node spacing or a smaller dt";
+        return what;
+    }
+    return std::nullopt;
+}
+
+std::optional<Instability> crossings(const Model& model, const State& state) {
+    const Suspension& cells = state.cells;
+    for (int c = 0; c < cells.cell_count(); ++c) {
+        const auto crossing = self_crossing(outline(cells, c));
+        if (!crossing) continue;
+        const std::string quantity = fmt::format("crossings of segment {} with segment {} of the same cell",
+                                                 crossing->first, crossing->second);
+        Instability what = fault_at_node(model, state, cells.first[c] + crossing->first, {quantity, 1.0, 0.0, ""});
+        what.cause = "the membrane folded onto itself";
+        what.cure = "a finer node spacing, a larger bending_modulus, or a smaller dt";
+        return what;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Health::Health(const HealthLimits& limits, const State& state)
+    : limits_(limits), x_(state.cells.x), y_(state.cells.y) {}
+
+std::optional<Instability> Health::node_steps(const Model& model, const State& state) {
+    const Suspension& cells = state.cells;
+    const double limit = limits_.node_step * limits_.node_step;
+    std::optional<Instability> found;
+    for (int n = 0; n < cells.node_count(); ++n) {
+        const double dx = cells.x[n] - x_[n];
+        const double dy = cells.y[n] - y_[n];
+        const double way = dx * dx + dy * dy;
+        if (!(way < limit) && !found) {
+            found = fault_at_node(model, state, n,
+                                  {"way of a node in one step", std::sqrt(way), limits_.node_step, "sites"});
+            found->cause = "membrane forces too stiff for the time step, or nodes too close together";
+            found->cure = smaller_step;
+        }
+        x_[n] = cells.x[n];
+        y_[n] = cells.y[n];
+    }
+    return found;
+}
+
+std::optional<Instability> Health::after_step(const Model& model, const State& state) {
+    if (auto found = node_steps(model, state)) return found;
+    if (state.step % limits_.interval == 0) return examine(model, state);
+    return node_places(model, state);
+}
+
+std::optional<Instability> Health::examine(const Model& model, const State& state) const {
+    if (auto found = node_places(model, state)) return found;
+    if (auto found = speeds(model, state, limits_.mach)) return found;
+    if (auto found = areas(model, state, limits_.area_error)) return found;
+    return crossings(model, state);
+}
+
+}  // namespace tt

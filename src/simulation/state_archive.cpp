@@ -1,0 +1,139 @@
+#include "simulation/state_archive.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "simulation/derive.hpp"
+
+namespace tt {
+namespace {
+
+/// Calls visit(name, array) for every array but the populations: the one list that save, load and hash go by.
+template <class S, class Visit>
+void for_each_array(S& state, Visit&& visit) {
+    auto& cells = state.cells;
+    visit("first", cells.first);
+    visit("x", cells.x);
+    visit("y", cells.y);
+    visit("fx", cells.fx);
+    visit("fy", cells.fy);
+    visit("ux", cells.ux);
+    visit("uy", cells.uy);
+    visit("rest_curvature", cells.rest_curvature);
+    visit("rest_length", cells.rest_length);
+    visit("reference_area", cells.reference_area);
+    visit("reference_perimeter", cells.reference_perimeter);
+    visit("alpha", cells.alpha);
+    visit("area", cells.area);
+    visit("perimeter", cells.perimeter);
+    visit("interior.x", state.interior.x);
+    visit("interior.y", state.interior.y);
+}
+
+template <class S, class Visit>
+void for_each_number(S& state, Visit&& visit) {
+    visit("step", state.step);
+    visit("drive.body_force", state.drive.body_force);
+    visit("drive.mean_velocity", state.drive.mean_velocity);
+    visit("drive.integral", state.drive.integral);
+    visit("contact.repulsion_count", state.contact.repulsion_count);
+    visit("contact.smallest_gap", state.contact.smallest_gap);
+}
+
+std::string plane_name(int i) { return fmt::format("populations.{}", i); }
+
+/// One plane of populations without its halo, row after row.
+std::vector<double> sites(const Populations& populations, int i) {
+    const Lattice& lattice = populations.lattice();
+    std::vector<double> plane;
+    plane.reserve(static_cast<std::size_t>(lattice.nx) * lattice.ny);
+    for (int j = 0; j < lattice.ny; ++j) {
+        const double* const row = populations.row(i, j);
+        plane.insert(plane.end(), row, row + lattice.nx);
+    }
+    return plane;
+}
+
+[[noreturn]] void refuse(const char* why) { throw DamagedArchive(fmt::format("the checkpoint cannot be loaded: {}", why)); }
+
+void load_populations(const ArchiveReader& archive, const Lattice& lattice, Exchange& exchange,
+                      Populations& populations) {
+    populations = Populations(lattice);
+    const auto odd = archive.value<std::int64_t>("populations.odd") != 0;
+    populations.phase = odd ? Populations::Phase::odd : Populations::Phase::even;
+    const auto nx = static_cast<std::size_t>(lattice.nx);
+    for (int i = 0; i < d2q9::count; ++i) {
+        const auto plane = archive.take<double>(plane_name(i));
+        if (plane.size() != nx * lattice.ny) refuse("it is of another lattice");
+        for (int j = 0; j < lattice.ny; ++j) {
+            std::copy_n(plane.begin() + static_cast<std::ptrdiff_t>(nx * j), nx, populations.row(i, j));
+        }
+    }
+    if (odd) exchange.fill(populations);  // as `settle` left it
+}
+
+void expect_sound(const State& state) {
+    const Suspension& cells = state.cells;
+    if (cells.first.empty() || cells.first.front() != 0) refuse("its list of cells is wrong");
+    for (std::size_t c = 1; c < cells.first.size(); ++c) {
+        if (cells.first[c] <= cells.first[c - 1]) refuse("its list of cells is wrong");
+    }
+    const auto nodes = static_cast<std::size_t>(cells.node_count());
+    for (const auto* per_node : {&cells.x, &cells.y, &cells.fx, &cells.fy, &cells.ux, &cells.uy,
+                                 &cells.rest_curvature, &cells.rest_length, &state.interior.x, &state.interior.y}) {
+        if (per_node->size() != nodes) refuse("an array is not of one number per node");
+    }
+    const auto count = static_cast<std::size_t>(cells.cell_count());
+    for (const auto* per_cell : {&cells.reference_area, &cells.reference_perimeter, &cells.alpha, &cells.area,
+                                 &cells.perimeter}) {
+        if (per_cell->size() != count) refuse("an array is not of one number per cell");
+    }
+}
+
+}  // namespace
+
+void save_state(ArchiveWriter& archive, const State& state) {
+    for_each_number(state, [&](const char* name, auto value) { archive.put_value(name, value); });
+    for_each_array(state, [&](const char* name, const auto& values) { archive.put(name, values); });
+    archive.put_value<std::int64_t>("populations.odd", state.populations.phase == Populations::Phase::odd);
+    for (int i = 0; i < d2q9::count; ++i) archive.put(plane_name(i), sites(state.populations, i));
+}
+
+State load_state(const ArchiveReader& archive, const Model& model, Exchange& exchange) {
+    State state;
+    for_each_number(state, [&](const char* name, auto& value) {
+        value = archive.value<std::remove_cvref_t<decltype(value)>>(name);
+    });
+    for_each_array(state, [&](const char* name, auto& values) {
+        values = archive.take<typename std::remove_cvref_t<decltype(values)>::value_type>(name);
+    });
+    expect_sound(state);
+    size_derived(state.cells);
+    load_populations(archive, model.lattice, exchange, state.populations);
+    // `derive` lays the cytoplasm where the nodes are now; the run goes on from where it was last laid.
+    const std::vector<double> x = state.interior.x;
+    const std::vector<double> y = state.interior.y;
+    derive(model, state);
+    state.interior.x = x;
+    state.interior.y = y;
+    restore_viscosity(model.viscosity, state.cells, state.interior, state.relaxation);
+    return state;
+}
+
+std::uint64_t state_hash(const State& state) {
+    Checksum sum;
+    for_each_number(state, [&](const char*, const auto& value) { sum.add(&value, sizeof value); });
+    for_each_array(state, [&](const char*, const auto& values) {
+        sum.add(values.data(), values.size() * sizeof values[0]);
+    });
+    for (int i = 0; i < d2q9::count; ++i) {
+        const std::vector<double> plane = sites(state.populations, i);
+        sum.add(plane.data(), plane.size() * sizeof(double));
+    }
+    return sum.value();
+}
+
+}  // namespace tt

@@ -1,0 +1,18 @@
+#pragma once
+
+namespace tt {
+
+/// From now on INT, TERM and USR2 only ask the run to stop; a second one ends the process at once, as without us. Writing
+/// past a file-size limit becomes an error that we report, instead of a signal that kills.
+void catch_stop_signals();
+
+/// Has a signal asked to stop?
+bool stop_requested();
+
+/// What a signal does, for callers that stop a run from inside the process.
+void request_stop();
+
+/// Forgets earlier requests, before another run in the same process.
+void clear_stop_request();
+
+}  // namespace tt

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "exchange/periodic.hpp"
+#include "fluid/moments.hpp"
+#include "membrane/suspension.hpp"
+#include "observe/run_case.hpp"
+#include "simulation/derive.hpp"
+#include "simulation/model.hpp"
+#include "simulation/state.hpp"
+
+namespace tt {
+
+/// Two cells in a small sheared box, some milliseconds of a thousand steps a second of wall time: for tests of what a run
+/// does around its steps.
+inline Model small_model() {
+    Model model;
+    model.lattice = Lattice{33, 24, true};
+    model.scales = Scales{5e-7, 1e-6, 1025.0 * 1.25e-19};
+    model.boundaries = Boundaries{-0.02, 0.02, 0.0};
+    model.viscosity.plasma = 0.3;
+    model.viscosity.cytoplasm = 0.6;
+    model.membrane.in_plane = NeoHookean{2e-3};
+    model.membrane.area_stiffness = 0.02;
+    model.shear_rate = 0.04 / 24;
+    return model;
+}
+
+inline std::vector<Vec2> circle(Vec2 centre, double radius, int nodes) {
+    std::vector<Vec2> points;
+    for (int k = 0; k < nodes; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / nodes;
+        points.push_back(centre + radius * Vec2{std::cos(angle), std::sin(angle)});
+    }
+    return points;
+}
+
+inline State small_state(const Model& model) {
+    State state;
+    add_cell(state.cells, circle({9.3, 11.6}, 4.4, 36));
+    add_cell(state.cells, circle({24.8, 13.1}, 3.9, 32));
+    state.populations = Populations(model.lattice);
+    derive(model, state);
+    return state;
+}
+
+/// `steps` steps into `directory`, a row of series.csv every 10 and a frame every 25.
+inline RunRequest small_request(const std::filesystem::path& directory, std::int64_t steps) {
+    const double dt = small_model().scales.time;
+    RunRequest request;
+    request.directory = directory;
+    request.name = "small";
+    request.case_toml = "name = \"small\"\n";
+    request.resolved_toml = "name = \"small\"\n# resolved\n";
+    request.end = Time{static_cast<double>(steps) * dt};
+    request.average_from = Time{0.5 * request.end.si};
+    request.series = Time{10 * dt};
+    request.frames = Time{25 * dt};
+    request.progress = ProgressMode::none;
+    return request;
+}
+
+inline RunOutcome run_small(const RunRequest& request, const Model& model = small_model()) {
+    Periodic exchange;
+    return run_case(request, model, [&] { return small_state(model); }, exchange);
+}
+
+}  // namespace tt
