@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/jump.hpp"
 #include "exchange/periodic.hpp"
 #include "fluid/moments.hpp"
 #include "membrane/suspension.hpp"
@@ -25,6 +26,7 @@ inline Model small_model() {
     model.boundaries = Boundaries{-0.02, 0.02, 0.0};
     model.viscosity.plasma = 0.3;
     model.viscosity.cytoplasm = 0.6;
+    model.jump = jump_correction(model.delta, model.viscosity);
     model.membrane.in_plane = NeoHookean{2e-3};
     model.membrane.area_stiffness = 0.02;
     model.shear_rate = 0.04 / 24;
