@@ -31,9 +31,11 @@ const std::array<Collision, 2> collisions{Trt{}, Bgk{}};
 
 int below(int n) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, n)); }
 
-Scene random_scene() {
+Lattice random_lattice() { return {1 + below(37), 1 + below(12), below(2) == 0}; }
+
+Scene random_scene(const Lattice& lattice = random_lattice()) {
     Scene s;
-    s.lattice = {1 + below(37), 1 + below(12), below(2) == 0};
+    s.lattice = lattice;
     s.equilibrium = equilibria[below(3)];
     const Collision collision = collisions[below(2)];
     Random random(*rc::gen::arbitrary<std::uint64_t>());
@@ -161,17 +163,9 @@ TEST(FluidPass, conserves_mass_at_any_wall_and_end) {
 
 TEST(FluidPass, momentum_in_a_periodic_box_grows_by_the_sum_of_the_forces) {
     EXPECT_TRUE(rc::check([] {
-        Scene s = random_scene();
-        if (s.lattice.walls) {
-            Scene periodic = s;
-            periodic.lattice.walls = false;
-            periodic.populations = Populations(periodic.lattice);
-            for_each_site(s.lattice, [&](int i, int j) {
-                for (int k = 0; k < d2q9::count; ++k)
-                    periodic.populations.slot(k, i, j) = s.populations.slot(k, i, j);
-            });
-            s = periodic;
-        }
+        Lattice periodic = random_lattice();
+        periodic.walls = false;
+        Scene s = random_scene(periodic);
         s.boundaries.pressure_drop = 0.0;
         const auto momentum = [&] {
             Vec2 sum;
