@@ -4,11 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <iterator>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -16,6 +12,7 @@
 #include "case/field_types.hpp"
 #include "case/schema.hpp"
 #include "case/validate.hpp"
+#include "io/file.hpp"
 #include "io/toml.hpp"
 
 namespace tt {
@@ -466,13 +463,7 @@ Case read_case(const std::filesystem::path& path, const std::vector<std::string>
     std::error_code error;
     if (std::filesystem::is_directory(path, error))
         throw IoError(fmt::format("{} is a directory; name the case file in it", path.string()));
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-        throw IoError(fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (file.bad()) throw IoError(fmt::format("cannot read {}", path.string()));
-    return parse_case(text.str(), path.string(), overrides,
+    return parse_case(read_file(path), path.string(), overrides,
                       std::filesystem::absolute(path).parent_path());
 }
 

@@ -1,0 +1,275 @@
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/verb.hpp"
+#include "base/parallel.hpp"
+#include "base/units.hpp"
+#include "base/words.hpp"
+#include "case/appraise.hpp"
+#include "case/discretise.hpp"
+#include "case/initial_state.hpp"
+#include "case/read.hpp"
+#include "exchange/periodic.hpp"
+#include "io/json.hpp"
+#include "simulation/advance.hpp"
+
+namespace tt {
+namespace {
+
+struct CheckOptions {
+    std::string path;
+    std::vector<std::string> overrides;
+    int threads = 0;
+    bool json = false;
+};
+
+struct Probe {
+    double steps_per_second = 0.0;
+    double memory_bytes = 0.0;  ///< most that this process has held
+    int threads = 1;
+};
+
+double seconds_of(const Model& model, State& state, Exchange& exchange, int steps) {
+    const auto begin = std::chrono::steady_clock::now();
+    with_team(model.threads, [&] {
+        for (int n = 0; n < steps; ++n)
+            advance(model, state, exchange);
+    });
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Makes steps for about 0.3 s. The fastest of the batches counts: others on the machine only slow
+/// it.
+Probe probe(const Model& model, State state) {
+    Probe result;
+    result.threads = model.threads;
+    Periodic exchange;
+    int steps = 2;
+    double total = seconds_of(model, state, exchange, steps);  // first steps touch the memory
+    while (total < 0.3) {
+        const double seconds = std::max(seconds_of(model, state, exchange, steps), 1e-9);
+        result.steps_per_second = std::max(result.steps_per_second, steps / seconds);
+        total += seconds;
+        if (seconds < 0.05) steps *= 2;
+    }
+    if (result.steps_per_second == 0.0) result.steps_per_second = steps / total;
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    result.memory_bytes = 1024.0 * static_cast<double>(usage.ru_maxrss);
+    return result;
+}
+
+std::string with_spaces(std::int64_t number) {
+    std::string text = std::to_string(number);
+    for (std::size_t at = text.size(); at > 3; at -= 3)
+        text.insert(at - 3, " ");
+    return text;
+}
+
+std::string bytes_text(double bytes) {
+    for (const char* unit : {"B", "kB", "MB", "GB"}) {
+        if (bytes < 999.5) return fmt::format("{:.{}f} {}", bytes, bytes < 10.0 ? 1 : 0, unit);
+        bytes /= 1000.0;
+    }
+    return fmt::format("{:.1f} TB", bytes);
+}
+
+std::string duration_text(double seconds) {
+    if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
+    if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
+    if (seconds < 48.0 * 3600.0) return fmt::format("{:.1f} h", seconds / 3600.0);
+    return fmt::format("{:.1f} days", seconds / 86400.0);
+}
+
+/// Lines of "label  text", the text wrapped within 79 columns.
+void print_line(std::string_view label, const std::string& text) {
+    fmt::print("  {:<17} {}\n", label, wrapped(text, 79, 20));
+}
+
+void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
+    print_line("grid", fmt::format("{} x {} sites of {}, {} in all", choice.nx, choice.ny,
+                                   rounded_text(choice.dx), with_spaces(a.sites)));
+    if (a.cells > 0)
+        print_line(
+            "cells",
+            fmt::format(
+                "{}, radius {:.3g} sites, {} nodes each, {:.2f} sites apart; hematocrit {:.1f} %, "
+                "viscosity ratio {:.3g}",
+                a.cells, a.radius_sites, a.nodes / a.cells, a.node_distance, 100.0 * a.hematocrit,
+                a.viscosity_ratio));
+    else
+        print_line("cells", "none");
+    const StepLimit& limit = choice.limits.front();
+    const bool chosen = !c.numerics.dt && !c.numerics.density_scale;
+    print_line("time step",
+               fmt::format("{}, {} steps to {}; {}", rounded_text(choice.dt), with_spaces(a.steps),
+                           to_text(c.time.end), chosen ? "set by the " + limit.name : "as given"));
+    print_line(
+        "relaxation time",
+        a.tau_cytoplasm > a.tau_plasma
+            ? fmt::format("{:.4g} in plasma, {:.4g} where it is most viscous ({})", a.tau_plasma,
+                          a.tau_cytoplasm, c.numerics.collision == "trt" ? "TRT" : "BGK")
+            : fmt::format("{:.4g}", a.tau_plasma));
+    print_line(
+        "density scale",
+        fmt::format("{:.4g}: the run has {:.4g} times the density, hence the Reynolds number, "
+                    "and as much longer steps",
+                    choice.density_scale, choice.density_scale));
+}
+
+void print_flow(const Case& c, const Choice& choice, const Appraisal& a) {
+    if (c.flow.drive == "none") {
+        print_line("flow", "none: the fluid is at rest");
+        return;
+    }
+    const bool shear = c.flow.drive == "shear";
+    std::string text =
+        fmt::format("{} {}, largest speed {}", shear ? "shear rate" : "pseudo-shear rate",
+                    rounded_text(choice.shear_rate), rounded_text(choice.largest_speed));
+    if (a.cells > 0) text += fmt::format(", G = {:.3g}", a.shear_number);
+    text += shear ? fmt::format("; k t = {:.3g} at the end", a.strained_time)
+                  : fmt::format("; {:.3g} transits of the box", a.transits);
+    print_line("flow", text);
+    if (a.cells > 0)
+        print_line("Reynolds number",
+                   fmt::format("of a cell {:.2g}, as run {:.2g}; of the channel {:.2g}",
+                               a.cell_reynolds, a.cell_reynolds_run, a.channel_reynolds));
+    else
+        print_line("Reynolds number",
+                   fmt::format("of the channel {:.2g}, as run {:.2g}", a.channel_reynolds,
+                               choice.density_scale * a.channel_reynolds));
+}
+
+void print_limits(const Choice& choice, const Appraisal& a) {
+    fmt::print("\n  what limits the time step\n");
+    for (const StepLimit& limit : choice.limits)
+        fmt::print("    {:<17} {:<12} {}\n", limit.name, rounded_text(limit.step, 3),
+                   wrapped(limit.reason, 79, 35));
+    fmt::print("\n  stability              is     limit  margin\n");
+    for (const Bound& b : a.bounds)
+        fmt::print("    {:<17} {:<9.2g} {:<5.3g} {:>6}   {}\n", b.name, b.value, b.limit,
+                   b.margin() > 1000.0 ? ">1000" : fmt::format("{:.1f}", b.margin()), b.definition);
+}
+
+void print_cost(const Appraisal& a, const Probe& p) {
+    fmt::print("\n");
+    print_line("memory", bytes_text(p.memory_bytes));
+    print_line("disk", fmt::format("{}, with {} frames of {}",
+                                   bytes_text(static_cast<double>(a.disk_bytes)), a.frames,
+                                   bytes_text(static_cast<double>(a.frame_bytes))));
+    print_line(
+        "time to finish",
+        fmt::format("{} on {} thread{}: {} steps/s, {:.0f} million site updates/s",
+                    duration_text(static_cast<double>(a.steps) / p.steps_per_second), p.threads,
+                    p.threads == 1 ? "" : "s", with_spaces(std::llround(p.steps_per_second)),
+                    1e-6 * p.steps_per_second * static_cast<double>(a.sites)));
+}
+
+void print_verdict(const Appraisal& a) {
+    fmt::print("\n");
+    for (const Advice& x : a.advice)
+        fmt::print("  {} {}\n", x.weight == Advice::Weight::refuse ? "!" : "*",
+                   wrapped(x.text, 79, 4));
+    fmt::print("{}{}\n", a.advice.empty() ? "" : "\n",
+               a.refused()        ? "This case will not run stably: change what is marked with !."
+               : a.advice.empty() ? "Nothing to change. Ready to run."
+                                  : "Ready to run; consider what is marked with *.");
+}
+
+Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Probe& p) {
+    Json j;
+    j["name"] = c.name;
+    j["nx"] = choice.nx;
+    j["ny"] = choice.ny;
+    j["dx_m"] = choice.dx.si;
+    j["dt_s"] = choice.dt.si;
+    j["steps"] = a.steps;
+    j["cells"] = a.cells;
+    j["nodes"] = a.nodes;
+    j["node_spacing_sites"] = a.node_distance;
+    j["radius_sites"] = a.radius_sites;
+    j["hematocrit"] = a.hematocrit;
+    j["viscosity_ratio"] = a.viscosity_ratio;
+    j["relaxation_time_plasma"] = a.tau_plasma;
+    j["relaxation_time_largest"] = a.tau_cytoplasm;
+    j["density_scale"] = choice.density_scale;
+    j["area_stiffness_Pa"] = choice.area_stiffness.si;
+    j["shear_rate_per_s"] = choice.shear_rate.si;
+    j["shear_number"] = a.shear_number;
+    j["reynolds_cell"] = a.cell_reynolds;
+    j["reynolds_cell_as_run"] = a.cell_reynolds_run;
+    j["reynolds_channel"] = a.channel_reynolds;
+    j["mach"] = a.mach;
+    j["transits"] = a.transits;
+    for (const StepLimit& l : choice.limits)
+        j["step_limits"].push_back({{"name", l.name}, {"dt_s", l.step.si}, {"reason", l.reason}});
+    for (const Bound& b : a.bounds)
+        j["stability"].push_back({{"name", b.name},
+                                  {"value", b.value},
+                                  {"limit", b.limit},
+                                  {"margin", b.margin()},
+                                  {"definition", b.definition}});
+    j["memory_bytes"] = p.memory_bytes;
+    j["disk_bytes"] = a.disk_bytes;
+    j["steps_per_second"] = p.steps_per_second;
+    j["threads"] = p.threads;
+    j["seconds_to_finish"] = static_cast<double>(a.steps) / p.steps_per_second;
+    j["advice"] = Json::array();
+    for (const Advice& x : a.advice)
+        j["advice"].push_back({{"refused", x.weight == Advice::Weight::refuse}, {"text", x.text}});
+    j["ready"] = !a.refused();
+    return j;
+}
+
+int check(const CheckOptions& options) {
+    const Case c = read_case(options.path, options.overrides);
+    const Choice choice = choose(c);
+    Model model = discretise(c, choice);
+    const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    model.threads = options.threads > 0 ? options.threads : all;
+    const State initial = initial_state(c, model);
+    const Appraisal a = appraise(c, choice, model, initial);
+    const Probe p = probe(model, initial);
+    if (options.json) {
+        fmt::print("{}\n", to_json(c, choice, a, p).dump(2));
+    } else {
+        fmt::print("{}  ({})\n\n", c.name, options.path);
+        print_numerics(c, choice, a);
+        print_flow(c, choice, a);
+        print_limits(choice, a);
+        print_cost(a, p);
+        print_verdict(a);
+    }
+    return a.refused() ? exit_code::bad_input : exit_code::done;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Action& action) {
+    auto options = std::make_shared<CheckOptions>();
+    CLI::App* verb = app.add_subcommand(
+        "check", "judge a case before running it: which dx, dt and tau, and why");
+    verb->add_option("case", options->path, "the case file")->required();
+    verb->add_option("--set", options->overrides,
+                     "table.key=value in place of the file's; may be repeated")
+        ->allow_extra_args(false);
+    verb->add_option("-j,--threads", options->threads, "threads of the probe; else all processors")
+        ->check(CLI::Range(1, 1024));
+    verb->add_flag("--json", options->json, "as JSON");
+    verb->footer(
+        "Tells grid, time step, relaxation times, Reynolds, Mach and shear numbers, each\n"
+        "stability limit with its margin, memory, disk and the time to finish, and which\n"
+        "key to change. Nothing is written. Exit code 2 if the case cannot run.\n\n"
+        "  tanktread check channel.toml --set flow.pseudo_shear_rate=\"150 /s\"");
+    verb->callback([options, &action] { action = [options] { return check(*options); }; });
+}
+
+}  // namespace tt

@@ -1,0 +1,133 @@
+#include "app/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <new>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/verb.hpp"
+#include "base/error.hpp"
+#include "base/version.hpp"
+#include "base/words.hpp"
+
+namespace tt {
+namespace {
+
+/// CLI11's help with words that people of the field use, in 80 columns.
+class HelpFormatter : public CLI::Formatter {
+public:
+    HelpFormatter() {
+        column_width(28);
+        label("REQUIRED", "");
+        label("TEXT", "");
+        label("SUBCOMMAND", "VERB");
+        label("Subcommands", "Verbs");
+        label("Positionals", "Arguments");
+    }
+    std::string make_description(const CLI::App* app) const override {
+        return wrapped(app->get_description(), 79) + "\n";
+    }
+    std::string make_footer(const CLI::App* app) const override {
+        return app->get_footer().empty() ? "" : "\n" + app->get_footer() + "\n";
+    }
+};
+
+void describe_program(CLI::App& app) {
+    app.description(
+        "Simulates red blood cells in two-dimensional flow: plasma by lattice Boltzmann, cells as "
+        "elastic membranes coupled by immersed boundaries.");
+    app.footer(
+        "Begin with:\n"
+        "  tanktread new my-channel     writes my-channel.toml, with comments\n"
+        "  tanktread check my-channel.toml\n\n"
+        "Exit codes: 0 done, 1 internal error, 2 bad command or case, 3 unstable (last\n"
+        "good state kept), 4 results directory in use or of another case, 5 cannot read\n"
+        "or write, 75 stopped early (run again to resume).");
+    app.set_version_flag("--version",
+                         fmt::format("tanktread {} ({}, {})", version, compiler, build_type),
+                         "show the version");
+    app.set_help_flag("-h,--help", "show this help");
+    app.formatter(std::make_shared<HelpFormatter>());
+    app.require_subcommand(1);
+}
+
+/// A first word that is no verb: told with the verb that was probably meant.
+bool is_unknown_verb(const CLI::App& app, int argc, const char* const* argv) {
+    if (argc < 2 || argv[1][0] == '-') return false;
+    const std::string_view word = argv[1];
+    std::vector<std::string_view> names;
+    std::vector<std::string> owned;
+    for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+        owned.push_back(verb->get_name());
+    for (const std::string& name : owned) {
+        if (name == word) return false;
+        names.push_back(name);
+    }
+    const auto near = closest(word, names);
+    fmt::print(stderr, "tanktread: unknown verb '{}'; {}\n", word,
+               near ? fmt::format("did you mean '{}'?", *near)
+                    : fmt::format("verbs: {}", fmt::join(names, ", ")));
+    return true;
+}
+
+int tell(std::string_view message, int code) {
+    fmt::print(stderr, "tanktread: {}\n", message);
+    return code;
+}
+
+/// Each kind of error has its exit code.
+int perform(const Action& action) {
+    try {
+        const int code = action();
+        if (std::fflush(stdout) != 0)
+            return tell("cannot write to the standard output", exit_code::input_output);
+        return code;
+    } catch (const CaseError& error) {
+        fmt::print(stderr, "{}\n", error.what());  // file:line:column first, for editors
+        const std::size_t count = error.faults().size();
+        return tell(count == 1 ? "1 fault; nothing was run"
+                               : fmt::format("{} faults; nothing was run", count),
+                    exit_code::bad_input);
+    } catch (const IoError& error) {
+        return tell(error.what(), exit_code::input_output);
+    } catch (const DirectoryInUse& error) {
+        return tell(error.what(), exit_code::directory_in_use);
+    } catch (const SimulationError& error) {
+        return tell(error.what(), exit_code::unstable);
+    } catch (const std::bad_alloc&) {
+        return tell("not enough memory; take a larger dx or a smaller box", exit_code::internal);
+    } catch (const std::exception& error) {
+        return tell(fmt::format("internal error: {}", error.what()), exit_code::internal);
+    }
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+    CLI::App app("", "tanktread");
+    Action action;
+    describe_program(app);
+    add_new(app, action);
+    add_check(app, action);
+    add_keys(app, action);
+    if (is_unknown_verb(app, argc, argv)) return exit_code::bad_input;
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        return tell(fmt::format("{}\nsee tanktread {}--help", error.what(),
+                                app.get_subcommands().empty()
+                                    ? std::string{}
+                                    : app.get_subcommands().front()->get_name() + " "),
+                    exit_code::bad_input);
+    }
+    return perform(action);
+}
+
+}  // namespace tt

@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "app/verb.hpp"
+#include "base/error.hpp"
+#include "case/reference.hpp"
+
+namespace tt {
+namespace {
+
+struct KeysOptions {
+    std::string word;
+    bool markdown = false;
+};
+
+int show_keys(const KeysOptions& options) {
+    const std::string text = options.markdown ? reference_markdown() : reference_text(options.word);
+    if (text.empty())
+        throw CaseError(
+            {{"", 0, 0, fmt::format("no key or table has '{}' in its name", options.word)}});
+    fmt::print("{}", text);
+    return exit_code::done;
+}
+
+}  // namespace
+
+void add_keys(CLI::App& app, Action& action) {
+    auto options = std::make_shared<KeysOptions>();
+    CLI::App* verb =
+        app.add_subcommand("keys", "show the keys of the case file and what they mean");
+    verb->add_option("word", options->word, "only tables and keys with this in their name");
+    verb->add_flag("--markdown", options->markdown, "as a page (docs/keys.md)");
+    verb->callback([options, &action] { action = [options] { return show_keys(*options); }; });
+}
+
+}  // namespace tt

@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/templates.hpp"
+#include "app/verb.hpp"
+#include "base/error.hpp"
+#include "base/words.hpp"
+#include "io/file.hpp"
+#include "io/toml.hpp"
+
+namespace tt {
+namespace {
+
+struct NewOptions {
+    std::string name;
+    std::string from = "channel";
+};
+
+const Template& find_template(const std::string& name) {
+    std::vector<std::string_view> names;
+    for (const Template& t : templates) {
+        if (t.name == name) return t;
+        names.push_back(t.name);
+    }
+    const auto near = closest(name, names);
+    throw CaseError({{"", 0, 0,
+                      fmt::format("--from {} is not one of {}{}", name, fmt::join(names, ", "),
+                                  near ? fmt::format("; did you mean '{}'?", *near) : "")}});
+}
+
+/// The template with `name = …` for the new run.
+std::string renamed(std::string text, const std::string& name) {
+    const std::size_t begin = text.find("\nname ") + 1;
+    const std::size_t value = text.find('"', begin);
+    const std::size_t end = text.find('\n', value);
+    return text.replace(value, end - value, toml_string(name));
+}
+
+int write_case(const NewOptions& options) {
+    const std::filesystem::path given = options.name;
+    const bool named = given.extension() == ".toml";
+    const std::filesystem::path path =
+        named ? given : std::filesystem::path(options.name + ".toml");
+    const Template& chosen = find_template(options.from);
+    if (std::filesystem::exists(path))
+        throw IoError(
+            fmt::format("{} is there already; choose another name or remove it", path.string()));
+    if (path.has_parent_path()) make_directory(path.parent_path());
+    replace_file(path, renamed(std::string(chosen.text), path.stem().string()),
+                 Durability::process);
+    fmt::print("wrote {}\n", path.string());
+    fmt::print(stderr, "next:  tanktread check {0}\n       tanktread run {0}\n", path.string());
+    return exit_code::done;
+}
+
+}  // namespace
+
+void add_new(CLI::App& app, Action& action) {
+    auto options = std::make_shared<NewOptions>();
+    CLI::App* verb = app.add_subcommand("new", "write a commented case file to start from");
+    verb->add_option("name", options->name, "of the run; NAME.toml is written")->required();
+    verb->add_option("--from", options->from, "channel, shear, relax, poiseuille or couette")
+        ->capture_default_str();
+    verb->footer(
+        "  channel     twelve cells in a channel 20 um wide, the paper's Case III\n"
+        "  shear       one cell tank-treading between walls 40 um apart\n"
+        "  relax       a stretched cell that returns to its circle\n"
+        "  poiseuille  plasma alone in a channel\n"
+        "  couette     two fluids between sliding walls\n\n"
+        "A file that is there already is never overwritten.");
+    verb->callback([options, &action] { action = [options] { return write_case(*options); }; });
+}
+
+}  // namespace tt

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace tt {
+
+/// Exit codes, the same for every verb.
+namespace exit_code {
+inline constexpr int done = 0;
+inline constexpr int internal = 1;
+inline constexpr int bad_input = 2;  ///< command or case
+inline constexpr int unstable = 3;
+inline constexpr int directory_in_use = 4;
+inline constexpr int input_output = 5;
+inline constexpr int stopped_early = 75;  ///< EX_TEMPFAIL: run again to resume
+}  // namespace exit_code
+
+/// What the command line asks for, to be done once all of it has been read. Returns the exit code.
+using Action = std::function<int()>;
+
+// Each adds one verb with its options and help; when it is named, `action` becomes what it does.
+void add_new(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
+void add_keys(CLI::App& app, Action& action);
+
+}  // namespace tt

@@ -1,0 +1,259 @@
+#include "case/appraise.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <variant>
+
+#include "base/units.hpp"
+#include "membrane/stability.hpp"
+
+namespace tt {
+namespace {
+
+constexpr double mach_limit =
+    0.3;  // beyond, the error of compressibility, of order Ma², passes a tenth
+
+/// T'(1) of the in-plane law, by a central difference.
+double tension_slope(const Membrane& membrane) {
+    constexpr double step = 1e-5;
+    return std::visit(
+        [](const auto& law) {
+            return (law.tension(1.0 + step) - law.tension(1.0 - step)) / (2.0 * step);
+        },
+        membrane.in_plane);
+}
+
+double bending_modulus(const Membrane& membrane) {
+    return std::visit([](const auto& law) { return law.modulus; }, membrane.bending);
+}
+
+void count_all(const Case& c, const Choice& choice, const State& initial, Appraisal& a) {
+    const Suspension& cells = initial.cells;
+    a.sites = static_cast<std::int64_t>(choice.nx) * choice.ny;
+    a.steps = static_cast<std::int64_t>(std::ceil(c.time.end.si / choice.dt.si));
+    a.cells = cells.cell_count();
+    a.nodes = cells.node_count();
+    if (a.cells == 0) return;
+    const double area =
+        std::accumulate(cells.reference_area.begin(), cells.reference_area.end(), 0.0);
+    const double length = std::accumulate(cells.rest_length.begin(), cells.rest_length.end(), 0.0);
+    a.hematocrit = area / static_cast<double>(a.sites);
+    a.radius_sites = std::sqrt(area / a.cells / 3.14159265358979323846);
+    a.node_distance = length / a.nodes;
+    a.viscosity_ratio = c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si;
+}
+
+void characterise(const Case& c, const Choice& choice, const Model& model, Appraisal& a) {
+    const double k = choice.shear_rate.si;
+    const double mu = c.plasma.viscosity.si;
+    const double rho = c.plasma.density.si;
+    const double radius = equivalent_radius(c).si;
+    const double width = c.domain.width.si;
+    a.tau_plasma = 0.5 + 3.0 * model.viscosity.plasma;
+    a.tau_cytoplasm =
+        0.5 + 3.0 * (a.cells > 0 ? model.viscosity.cytoplasm : model.viscosity.plasma);
+    if (model.viscosity.layer_thickness > 0.0)
+        a.tau_cytoplasm = std::max(a.tau_cytoplasm, 0.5 + 3.0 * model.viscosity.layer_viscosity);
+    a.channel_reynolds = rho * k * width * width / mu;
+    a.mach = choice.largest_speed.si * choice.dt.si / choice.dx.si * std::sqrt(3.0);
+    a.strained_time = k * c.time.end.si;
+    if (c.flow.drive == "pressure" || c.flow.drive == "body-force")
+        a.transits = k * width * c.time.end.si / c.domain.length.si;
+    if (a.cells == 0) return;
+    a.shear_number = mu * k * radius / c.membrane.shear_modulus.si;
+    a.cell_reynolds = rho * k * radius * radius / mu;
+    a.cell_reynolds_run = choice.density_scale * a.cell_reynolds;
+}
+
+void bound(const Model& model, Appraisal& a) {
+    a.bounds.push_back({"Mach number", a.mach, mach_limit, "largest speed / speed of sound"});
+    if (a.cells == 0) return;
+    const double viscosity = model.viscosity.plasma;
+    a.bounds.push_back({"membrane tension",
+                        tension_step_number(tension_slope(model.membrane), viscosity),
+                        tension_step_limit, "T'(1) dt / (mu dx)"});
+    a.bounds.push_back({"bending", bending_step_number(bending_modulus(model.membrane), viscosity),
+                        bending_step_limit, "E_b dt / (mu dx^3)"});
+    a.bounds.push_back({"area pressure", area_step_number(model.membrane.area_stiffness),
+                        area_step_limit, "k_p / K_b, K_b = mu / ((tau - 1/2) dt)"});
+}
+
+/// frames.h5: three pairs of doubles a node, four floats a site (io/frames.hpp); tables: some 14
+/// bytes a number.
+void size_output(const Case& c, Appraisal& a) {
+    const double end = c.time.end.si;
+    const double series = c.output.series ? c.output.series->si : end / 500.0;
+    const double frames = c.output.frames ? c.output.frames->si : end / 50.0;
+    a.frames = static_cast<std::int64_t>(end / frames) + 1;
+    a.frame_bytes = 48 * a.nodes + 16 * a.sites;
+    const auto rows = static_cast<std::int64_t>(end / series) + 1;
+    const std::int64_t checkpoints = 2 * (72 * a.sites + 100 * a.nodes);
+    a.disk_bytes = a.frames * a.frame_bytes + rows * 14 * (40 + 22 * a.cells) + checkpoints;
+}
+
+/// Collects advice.
+class Adviser {
+public:
+    explicit Adviser(Appraisal& a) : a_(a) {}
+    template <class... Args>
+    void consider(fmt::format_string<Args...> format, Args&&... args) {
+        a_.advice.push_back(
+            {Advice::Weight::consider, fmt::format(format, std::forward<Args>(args)...)});
+    }
+    template <class... Args>
+    void refuse(fmt::format_string<Args...> format, Args&&... args) {
+        a_.advice.push_back(
+            {Advice::Weight::refuse, fmt::format(format, std::forward<Args>(args)...)});
+    }
+
+private:
+    Appraisal& a_;
+};
+
+void advise_on_step(const Case& c, const Choice& choice, const Appraisal& a, Adviser& adviser) {
+    double tightest = 1e9;
+    for (const Bound& b : a.bounds)
+        if (b.name != "area pressure") tightest = std::min(tightest, b.margin());
+    if (tightest < 1.0)
+        adviser.refuse(
+            "The time step {} is {:.3g} times too long to be stable: write dt = \"{}\" in "
+            "[numerics], or "
+            "leave dt, relaxation_time and density_scale out.",
+            rounded_text(choice.dt, 3), 1.0 / tightest,
+            rounded_text(Time{0.5 * tightest * choice.dt.si}, 2));
+    for (const Bound& b : a.bounds)
+        if (b.name == "area pressure" && b.margin() < 1.0)
+            adviser.refuse(
+                "area_stiffness = {} is stiffer than the lattice fluid can answer: write at most "
+                "\"{}\" in "
+                "[membrane], or leave it out.",
+                rounded_text(choice.area_stiffness, 3),
+                rounded_text(Pressure{0.9 * b.margin() * choice.area_stiffness.si}, 2));
+    if (a.mach > 0.1 && a.mach <= mach_limit)
+        adviser.consider(
+            "Mach number {:.2g}: errors of compressibility of about {:.1f} %; halving dt quarters "
+            "them.",
+            a.mach, 100.0 * a.mach * a.mach);
+    if (c.numerics.collision == "bgk" && a.tau_cytoplasm > 0.8)
+        adviser.consider("BGK at relaxation time {:.3g} is off by {}; write collision = \"trt\".",
+                         a.tau_cytoplasm, a.tau_cytoplasm > 2.0 ? "5 % and more" : "2 % and more");
+    if (c.numerics.collision == "trt" && a.tau_cytoplasm > 10.0)
+        adviser.consider(
+            "Relaxation time {:.3g} inside the cells; the deformation was seen to move by 1 % at "
+            "8. Write "
+            "relaxation_time = {:.3g} for the plasma.",
+            a.tau_cytoplasm, 0.5 + (a.tau_plasma - 0.5) * 7.5 / (a.tau_cytoplasm - 0.5));
+    if (choice.relaxation_time < 0.55)
+        adviser.consider(
+            "Relaxation time {:.3g} is close to the limit 1/2 of stability; write relaxation_time "
+            "= 1.",
+            choice.relaxation_time);
+}
+
+void advise_on_inertia(const Case& c, const Choice& choice, const Appraisal& a, Adviser& adviser) {
+    const bool channel = a.transits > 0.0;
+    if (a.cells > 0 && channel && choice.density_scale > 50.0)
+        adviser.consider(
+            "Density scale {:.3g}: in channels 50 stays inside the scatter between seeds, 100 "
+            "moves the "
+            "viscosity. Write density_scale = 50.",
+            choice.density_scale);
+    if (a.cells > 0 && !channel && choice.density_scale > 200.0 && c.flow.drive == "shear")
+        adviser.consider(
+            "Density scale {:.3g}: up to 200 the steady answer in shear stays within 1 %. Write "
+            "density_scale = 200.",
+            choice.density_scale);
+    if (c.numerics.equilibrium != "linear" && a.cell_reynolds_run > 0.1)
+        adviser.consider(
+            "With equilibrium = \"{}\" inertia acts at the raised Reynolds number {:.2g}; physical "
+            "is {:.2g}. "
+            "Write density_scale = {:.3g} or equilibrium = \"linear\".",
+            c.numerics.equilibrium, a.cell_reynolds_run, a.cell_reynolds,
+            std::max(1.0, 0.1 / a.cell_reynolds));
+}
+
+void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& a,
+                          Adviser& adviser) {
+    if (a.cells == 0) return;
+    if (a.radius_sites < 10.0)
+        adviser.consider("{:.3g} sites to the radius of a cell are few; write dx = \"{}\".",
+                         a.radius_sites,
+                         rounded_text(Length{choice.dx.si * a.radius_sites / 16.0}, 1));
+    if (a.node_distance < 0.35 || a.node_distance > 1.5)
+        adviser.consider(
+            "Nodes {:.2g} sites apart; between 0.35 and 1.5 the result does not depend on it. "
+            "Write "
+            "node_spacing = 1.",
+            a.node_distance);
+    if (c.numerics.interface_viscosity == "sharp" && a.viscosity_ratio > 1.5)
+        adviser.consider(
+            "A sharp jump of viscosity is first order: at ratio 5 the strain was 9 % high at dx = "
+            "0.2 um. "
+            "Write interface_viscosity = \"smoothed\".");
+    if (c.numerics.delta == "hat2" || c.numerics.delta == "roma3")
+        adviser.consider("The kernel {} lowers the deformation by {} %; write delta = \"peskin4\".",
+                         c.numerics.delta, c.numerics.delta == "hat2" ? 1.6 : 1.0);
+    if (c.contact.model == "morse" && a.cells > 1 &&
+        c.contact.zero_force_distance.si < 1.5 * choice.dx.si)
+        adviser.consider(
+            "zero_force_distance is {:.2g} sites, so gaps between cells are not resolved; write dx "
+            "= \"{}\".",
+            c.contact.zero_force_distance.si / choice.dx.si,
+            rounded_text(Length{c.contact.zero_force_distance.si / 2.0}, 1));
+}
+
+void advise_on_physics(const Case& c, const Appraisal& a, Adviser& adviser) {
+    if (a.cells == 0) return;
+    if (c.membrane.bending_modulus.si == 0.0 && a.shear_number >= 0.5)
+        adviser.consider(
+            "Without bending stiffness the membrane wrinkles at G >= 0.5; write bending_modulus.");
+    if (c.membrane.hardening.compression == "as-printed" && !c.membrane.hardening.apply_to.empty())
+        adviser.consider(
+            "Eq. 12 as printed softens in compression, and segments fold within about 1 ms; write "
+            "compression = \"symmetric\".");
+    if (c.flow.drive == "shear" && a.strained_time < 15.0)
+        adviser.consider(
+            "k t = {:.3g} at the end; a cell is steady after k t = 16, 27, 47 at G = 0.2, 0.5, 1 "
+            "and "
+            "viscosity ratio 5. Write end = \"{}\".",
+            a.strained_time, rounded_text(Time{c.time.end.si * 20.0 / a.strained_time}, 2));
+    if (a.transits > 0.0 && a.transits < 5.5)
+        adviser.consider(
+            "{:.2g} transits; five should be left out before averaging. Write end = \"{}\".",
+            a.transits, rounded_text(Time{c.time.end.si * 10.0 / a.transits}, 2));
+    else if (a.transits > 0.0) {
+        const double from = c.time.average_from ? c.time.average_from->si : 0.5 * c.time.end.si;
+        const double before = a.transits * from / c.time.end.si;
+        if (before < 4.9)
+            adviser.consider(
+                "Averages start after {:.2g} transits; five should be left out. Write average_from "
+                "= \"{}\".",
+                before, rounded_text(Time{c.time.end.si * 5.0 / a.transits}, 3));
+    }
+}
+
+}  // namespace
+
+bool Appraisal::refused() const {
+    return std::any_of(advice.begin(), advice.end(),
+                       [](const Advice& x) { return x.weight == Advice::Weight::refuse; });
+}
+
+Appraisal appraise(const Case& c, const Choice& choice, const Model& model, const State& initial) {
+    Appraisal a;
+    count_all(c, choice, initial, a);
+    characterise(c, choice, model, a);
+    bound(model, a);
+    size_output(c, a);
+    Adviser adviser(a);
+    advise_on_step(c, choice, a, adviser);
+    advise_on_inertia(c, choice, a, adviser);
+    advise_on_resolution(c, choice, a, adviser);
+    advise_on_physics(c, a, adviser);
+    return a;
+}
+
+}  // namespace tt

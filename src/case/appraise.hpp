@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "case/choose.hpp"
+#include "simulation/model.hpp"
+#include "simulation/state.hpp"
+
+namespace tt {
+
+/// A number that must stay below its limit for the explicit step to be stable.
+struct Bound {
+    std::string name;
+    double value = 0.0;
+    double limit = 0.0;
+    std::string definition;
+    double margin() const { return value > 0.0 ? limit / value : 1e9; }
+};
+
+/// Something the user should know before the run: what is so, and which key to change.
+struct Advice {
+    enum class Weight : std::uint8_t { consider, refuse };
+    Weight weight = Weight::consider;
+    std::string text;
+};
+
+/// What `check` answers to "which dx, dt, tau?": everything that follows from a case before a step
+/// is made.
+struct Appraisal {
+    std::int64_t sites = 0, steps = 0;
+    int cells = 0, nodes = 0;
+    double radius_sites = 0.0;   ///< radius of a cell
+    double node_distance = 0.0;  ///< mean, in sites
+    double hematocrit = 0.0, viscosity_ratio = 1.0;
+    double tau_plasma = 0.0, tau_cytoplasm = 0.0;
+    double shear_number = 0.0;       ///< G = μ k a / E_s (Eq. 19)
+    double cell_reynolds = 0.0;      ///< ρ k a² / μ, physical
+    double cell_reynolds_run = 0.0;  ///< times S: as run
+    double channel_reynolds = 0.0;   ///< ρ U H / μ, physical
+    double mach = 0.0;               ///< largest speed / speed of sound
+    double strained_time = 0.0;      ///< k t_end
+    double transits = 0.0;           ///< U t_end / length, channels
+    std::int64_t frames = 0;
+    std::int64_t frame_bytes = 0, disk_bytes = 0;
+    std::vector<Bound> bounds;
+    std::vector<Advice> advice;
+
+    bool refused() const;
+};
+
+/// Judges a case. Limits of accuracy are those measured in docs/theory/time-step.md, limits of
+/// stability those that stand beside each explicit term (membrane/stability.hpp).
+Appraisal appraise(const Case& c, const Choice& choice, const Model& model, const State& initial);
+
+}  // namespace tt

@@ -1,0 +1,156 @@
+#include "case/reference.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "base/words.hpp"
+#include "case/schema.hpp"
+#include "case/value_text.hpp"
+
+namespace tt {
+namespace {
+
+/// One key as the reference shows it.
+struct KeyLine {
+    std::string key;
+    std::string
+        example;  ///< `key = value`, the value in force if the key is left out where there is one
+    std::string bounds;  ///< words or range; empty if any value will do
+    std::string meaning;
+    bool required = false;
+};
+
+struct TableLines {
+    std::string name;
+    std::string meaning;
+    std::vector<KeyLine> keys;
+};
+
+std::string bounds_text(const Range& range, std::string_view unit) {
+    const auto text = [&](double v) { return to_text(v, v == 0.0 ? std::string_view{} : unit); };
+    if (range.low == range.high) return text(range.low);
+    if (std::isinf(range.low)) return {};
+    const std::string low = fmt::format("{} {}", range.low_open ? ">" : ">=", text(range.low));
+    return std::isinf(range.high) ? low : fmt::format("{}, <= {}", low, text(range.high));
+}
+
+/// A sample value: the default; where there is none, the example.
+template <class F, class T>
+std::string sample(const F& field, const T& value, bool required) {
+    const std::string text = required ? std::string{} : value_text(value, field.example);
+    if (!text.empty() && text != "\"\"" && text != "[]") return text;
+    using Item = item_type<T>;
+    const bool as_is = field.example.substr(0, 1) == "[" ||
+                       (std::is_arithmetic_v<Item> && unit_of(field.example).empty());
+    return as_is ? std::string(field.example) : toml_string(field.example);
+}
+
+template <class F, class T>
+KeyLine key_line(const F& field, const T& value) {
+    KeyLine line;
+    line.key = field.key;
+    if constexpr (is_quantity<T>) line.required = !field.range.contains(value.si);
+    line.example = fmt::format("{} = {}", field.key, sample(field, value, line.required));
+    line.meaning = field.meaning;
+    if (field.choices.empty())
+        line.bounds = bounds_text(field.range, unit_of(field.example));
+    else
+        line.bounds = fmt::format("{}", fmt::join(split(field.choices, '|'), " | "));
+    if constexpr (std::is_same_v<T, bool>) line.bounds = "true | false";
+    if (line.required)
+        line.bounds += line.bounds.empty() ? "must be given" : "; must be given";
+    else if constexpr (is_optional<T>)
+        line.bounds += line.bounds.empty() ? "may be left out" : "; may be left out";
+    return line;
+}
+
+template <Table S>
+void collect(const std::string& path, std::string_view meaning, std::vector<TableLines>& tables) {
+    const S defaults{};
+    TableLines table{path, std::string(meaning), {}};
+    for_each_field<S>([&](const auto& field) {
+        const auto& value = defaults.*field.member;
+        if constexpr (!Table<std::remove_cvref_t<decltype(value)>>)
+            table.keys.push_back(key_line(field, value));
+    });
+    tables.push_back(std::move(table));
+    for_each_field<S>([&](const auto& field) {
+        using T = std::remove_cvref_t<decltype(defaults.*field.member)>;
+        if constexpr (Table<T>) {
+            const std::string below =
+                path.empty() ? std::string(field.key) : fmt::format("{}.{}", path, field.key);
+            collect<T>(below, field.meaning, tables);
+        }
+    });
+}
+
+std::vector<TableLines> all_tables() {
+    std::vector<TableLines> tables;
+    collect<Case>("", "at the top of the file", tables);
+    return tables;
+}
+
+bool contains(const std::string& text, std::string_view word) {
+    return text.find(word) != std::string::npos;
+}
+
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char c : text)
+        result += c == '|' ? std::string("\\|") : std::string(1, c);
+    return result;
+}
+
+}  // namespace
+
+std::string reference_text(std::string_view word) {
+    constexpr std::size_t width = 79;
+    constexpr std::size_t indent = 6;
+    std::string text;
+    for (const TableLines& table : all_tables()) {
+        const bool whole = contains(table.name, word);
+        std::string body;
+        for (const KeyLine& line : table.keys) {
+            if (!whole && !contains(line.key, word)) continue;
+            const std::string margin(indent, ' ');
+            body += fmt::format("  {}\n{}{}\n", line.example, margin,
+                                wrapped(line.meaning, width, indent));
+            if (!line.bounds.empty())
+                body += fmt::format("{}{}\n", margin, wrapped(line.bounds, width, indent));
+        }
+        if (body.empty()) continue;
+        const std::string header =
+            table.name.empty() ? table.meaning : fmt::format("[{}]  {}", table.name, table.meaning);
+        text += fmt::format("{}{}\n{}", text.empty() ? "" : "\n", wrapped(header, width, 2), body);
+    }
+    return text;
+}
+
+std::string reference_markdown() {
+    std::string text =
+        "# Keys of the case file\n\n"
+        "Made by `tanktread keys --markdown` from the lists that the program reads by; a test "
+        "holds both together.\n\n"
+        "A quantity is a string with its unit: `\"80 um\"`, `\"6e-3 dyn/cm\"`, `\"500 /s\"`. Any "
+        "unit of the right kind will\n"
+        "do, with the prefixes f p n u m c k M G on m, g, s, Hz, N, dyn, J, erg, Pa, bar, P, St "
+        "and L; also min, h, mmHg,\n"
+        "%, deg and rad. Under a `/` stands one unit, or several in brackets. A key that says "
+        "\"may be left out\" may also be\n"
+        "`\"auto\"`. The values shown are those in force without the key, or an example where "
+        "there is none.\n";
+    for (const TableLines& table : all_tables()) {
+        const std::string header =
+            table.name.empty() ? "At the top" : fmt::format("[{}]", table.name);
+        text += fmt::format("\n## {}\n\n{}.\n\n| key | meaning | values |\n|---|---|---|\n", header,
+                            table.meaning);
+        for (const KeyLine& line : table.keys)
+            text += fmt::format("| `{}` | {} | {} |\n", line.example, escaped(line.meaning),
+                                escaped(line.bounds));
+    }
+    return text;
+}
+
+}  // namespace tt
