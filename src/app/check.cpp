@@ -118,11 +118,12 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
             ? fmt::format("{:.4g} in plasma, {:.4g} where it is most viscous ({})", a.tau_plasma,
                           a.tau_cytoplasm, c.numerics.collision == "trt" ? "TRT" : "BGK")
             : fmt::format("{:.4g}", a.tau_plasma));
-    print_line(
-        "density scale",
-        fmt::format("{:.4g}: the run has {:.4g} times the density, hence the Reynolds number, "
-                    "and as much longer steps",
-                    choice.density_scale, choice.density_scale));
+    print_line("density scale",
+               choice.density_scale < 1.0 + 1e-9
+                   ? std::string("1: the physical Reynolds number")
+                   : fmt::format("{:.4g} times the density and the Reynolds number, and as much "
+                                 "longer steps",
+                                 choice.density_scale));
 }
 
 void print_flow(const Case& c, const Choice& choice, const Appraisal& a) {
@@ -135,8 +136,9 @@ void print_flow(const Case& c, const Choice& choice, const Appraisal& a) {
         fmt::format("{} {}, largest speed {}", shear ? "shear rate" : "pseudo-shear rate",
                     rounded_text(choice.shear_rate), rounded_text(choice.largest_speed));
     if (a.cells > 0) text += fmt::format(", G = {:.3g}", a.shear_number);
-    text += shear ? fmt::format("; k t = {:.3g} at the end", a.strained_time)
-                  : fmt::format("; {:.3g} transits of the box", a.transits);
+    if (a.cells > 0)
+        text += shear ? fmt::format("; k t = {:.3g} at the end", a.strained_time)
+                      : fmt::format("; {:.3g} transits of the box", a.transits);
     print_line("flow", text);
     if (a.cells > 0)
         print_line("Reynolds number",
@@ -255,11 +257,10 @@ int check(const CheckOptions& options) {
 
 void add_check(CLI::App& app, Action& action) {
     auto options = std::make_shared<CheckOptions>();
-    CLI::App* verb = app.add_subcommand(
-        "check", "judge a case before running it: which dx, dt and tau, and why");
+    CLI::App* verb = app.add_subcommand("check", "judge a case: which dx, dt and tau, and why");
     verb->add_option("case", options->path, "the case file")->required();
     verb->add_option("--set", options->overrides,
-                     "table.key=value in place of the file's; may be repeated")
+                     "KEY=VALUE in place of the file's; may be repeated")
         ->allow_extra_args(false);
     verb->add_option("-j,--threads", options->threads, "threads of the probe; else all processors")
         ->check(CLI::Range(1, 1024));

@@ -19,22 +19,20 @@
 namespace tt {
 namespace {
 
-/// CLI11's help with words that people of the field use, in 80 columns.
+/// CLI11's help in 80 columns, without the types it thinks options have.
 class HelpFormatter : public CLI::Formatter {
 public:
     HelpFormatter() {
-        column_width(28);
-        label("REQUIRED", "");
-        label("TEXT", "");
+        column_width(24);
         label("SUBCOMMAND", "VERB");
-        label("Subcommands", "Verbs");
         label("Positionals", "Arguments");
     }
     std::string make_description(const CLI::App* app) const override {
-        return wrapped(app->get_description(), 79) + "\n";
+        return wrapped(app->get_description(), 79) + "\n\n";
     }
+    std::string make_option_opts(const CLI::Option*) const override { return {}; }
     std::string make_footer(const CLI::App* app) const override {
-        return app->get_footer().empty() ? "" : "\n" + app->get_footer() + "\n";
+        return app->get_footer().empty() ? "" : app->get_footer() + "\n";
     }
 };
 
@@ -88,6 +86,8 @@ int perform(const Action& action) {
         if (std::fflush(stdout) != 0)
             return tell("cannot write to the standard output", exit_code::input_output);
         return code;
+    } catch (const CommandError& error) {
+        return tell(error.what(), exit_code::bad_input);
     } catch (const CaseError& error) {
         fmt::print(stderr, "{}\n", error.what());  // file:line:column first, for editors
         const std::size_t count = error.faults().size();
@@ -116,6 +116,12 @@ int run_command_line(int argc, const char* const* argv) {
     add_new(app, action);
     add_check(app, action);
     add_keys(app, action);
+    for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+        verb->group("Verbs");
+    if (argc < 2) {
+        fmt::print(stderr, "{}", app.help());
+        return exit_code::bad_input;
+    }
     if (is_unknown_verb(app, argc, argv)) return exit_code::bad_input;
     try {
         app.parse(argc, argv);

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "app/verb.hpp"
-#include "base/error.hpp"
 #include "case/reference.hpp"
 
 namespace tt {
@@ -19,8 +18,7 @@ struct KeysOptions {
 int show_keys(const KeysOptions& options) {
     const std::string text = options.markdown ? reference_markdown() : reference_text(options.word);
     if (text.empty())
-        throw CaseError(
-            {{"", 0, 0, fmt::format("no key or table has '{}' in its name", options.word)}});
+        throw CommandError(fmt::format("no key or table has '{}' in its name", options.word));
     fmt::print("{}", text);
     return exit_code::done;
 }

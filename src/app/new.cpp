@@ -28,9 +28,8 @@ const Template& find_template(const std::string& name) {
         names.push_back(t.name);
     }
     const auto near = closest(name, names);
-    throw CaseError({{"", 0, 0,
-                      fmt::format("--from {} is not one of {}{}", name, fmt::join(names, ", "),
-                                  near ? fmt::format("; did you mean '{}'?", *near) : "")}});
+    throw CommandError(fmt::format("--from {} is not one of {}{}", name, fmt::join(names, ", "),
+                                   near ? fmt::format("; did you mean '{}'?", *near) : ""));
 }
 
 /// The template with `name = …` for the new run.
@@ -64,8 +63,7 @@ void add_new(CLI::App& app, Action& action) {
     auto options = std::make_shared<NewOptions>();
     CLI::App* verb = app.add_subcommand("new", "write a commented case file to start from");
     verb->add_option("name", options->name, "of the run; NAME.toml is written")->required();
-    verb->add_option("--from", options->from, "channel, shear, relax, poiseuille or couette")
-        ->capture_default_str();
+    verb->add_option("--from", options->from, "one of those below; else channel");
     verb->footer(
         "  channel     twelve cells in a channel 20 um wide, the paper's Case III\n"
         "  shear       one cell tank-treading between walls 40 um apart\n"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 
 namespace CLI {
 class App;
@@ -18,6 +19,12 @@ inline constexpr int directory_in_use = 4;
 inline constexpr int input_output = 5;
 inline constexpr int stopped_early = 75;  ///< EX_TEMPFAIL: run again to resume
 }  // namespace exit_code
+
+/// The command line cannot be done as it stands (exit 2). The message says what to write.
+class CommandError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
 
 /// What the command line asks for, to be done once all of it has been read. Returns the exit code.
 using Action = std::function<int()>;

@@ -33,7 +33,7 @@ double bending_modulus(const Membrane& membrane) {
 void count_all(const Case& c, const Choice& choice, const State& initial, Appraisal& a) {
     const Suspension& cells = initial.cells;
     a.sites = static_cast<std::int64_t>(choice.nx) * choice.ny;
-    a.steps = static_cast<std::int64_t>(std::ceil(c.time.end.si / choice.dt.si));
+    a.steps = static_cast<std::int64_t>(std::ceil(c.time.end.si / choice.dt.si * (1.0 - 1e-9)));
     a.cells = cells.cell_count();
     a.nodes = cells.node_count();
     if (a.cells == 0) return;
@@ -78,7 +78,7 @@ void bound(const Model& model, Appraisal& a) {
     a.bounds.push_back({"bending", bending_step_number(bending_modulus(model.membrane), viscosity),
                         bending_step_limit, "E_b dt / (mu dx^3)"});
     a.bounds.push_back({"area pressure", area_step_number(model.membrane.area_stiffness),
-                        area_step_limit, "k_p / K_b, K_b = mu / ((tau - 1/2) dt)"});
+                        area_step_limit, "k_p (tau - 1/2) dt / mu"});
 }
 
 /// frames.h5: three pairs of doubles a node, four floats a site (io/frames.hpp); tables: some 14
@@ -178,7 +178,7 @@ void advise_on_inertia(const Case& c, const Choice& choice, const Appraisal& a, 
 void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& a,
                           Adviser& adviser) {
     if (a.cells == 0) return;
-    if (a.radius_sites < 10.0)
+    if (a.radius_sites < 9.5)
         adviser.consider("{:.3g} sites to the radius of a cell are few; write dx = \"{}\".",
                          a.radius_sites,
                          rounded_text(Length{choice.dx.si * a.radius_sites / 16.0}, 1));
