@@ -1,25 +1,21 @@
 #include <fmt/format.h>
-#include <sys/resource.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "app/probe.hpp"
 #include "app/verb.hpp"
-#include "base/parallel.hpp"
 #include "base/units.hpp"
 #include "base/words.hpp"
 #include "case/appraise.hpp"
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
 #include "case/read.hpp"
-#include "exchange/periodic.hpp"
 #include "io/json.hpp"
-#include "simulation/advance.hpp"
 
 namespace tt {
 namespace {
@@ -30,42 +26,6 @@ struct CheckOptions {
     int threads = 0;
     bool json = false;
 };
-
-struct Probe {
-    double steps_per_second = 0.0;
-    double memory_bytes = 0.0;  ///< most that this process has held
-    int threads = 1;
-};
-
-double seconds_of(const Model& model, State& state, Exchange& exchange, int steps) {
-    const auto begin = std::chrono::steady_clock::now();
-    with_team(model.threads, [&] {
-        for (int n = 0; n < steps; ++n)
-            advance(model, state, exchange);
-    });
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-/// Makes steps for about 0.3 s. The fastest of the batches counts: others on the machine only slow
-/// it.
-Probe probe(const Model& model, State state) {
-    Probe result;
-    result.threads = model.threads;
-    Periodic exchange;
-    int steps = 2;
-    double total = seconds_of(model, state, exchange, steps);  // first steps touch the memory
-    while (total < 0.3) {
-        const double seconds = std::max(seconds_of(model, state, exchange, steps), 1e-9);
-        result.steps_per_second = std::max(result.steps_per_second, steps / seconds);
-        total += seconds;
-        if (seconds < 0.05) steps *= 2;
-    }
-    if (result.steps_per_second == 0.0) result.steps_per_second = steps / total;
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    result.memory_bytes = 1024.0 * static_cast<double>(usage.ru_maxrss);
-    return result;
-}
 
 std::string with_spaces(std::int64_t number) {
     std::string text = std::to_string(number);
@@ -163,10 +123,11 @@ void print_limits(const Choice& choice, const Appraisal& a) {
 
 void print_cost(const Appraisal& a, const Probe& p) {
     fmt::print("\n");
-    print_line("memory", bytes_text(p.memory_bytes));
     print_line("disk", fmt::format("{}, with {} frames of {}",
                                    bytes_text(static_cast<double>(a.disk_bytes)), a.frames,
                                    bytes_text(static_cast<double>(a.frame_bytes))));
+    if (p.steps_per_second == 0.0 || p.unstable_step > 0) return;
+    print_line("memory", bytes_text(p.memory_bytes));
     print_line(
         "time to finish",
         fmt::format("{} on {} thread{}: {} steps/s, {:.0f} million site updates/s",
@@ -219,11 +180,13 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
                                   {"limit", b.limit},
                                   {"margin", b.margin()},
                                   {"definition", b.definition}});
-    j["memory_bytes"] = p.memory_bytes;
     j["disk_bytes"] = a.disk_bytes;
-    j["steps_per_second"] = p.steps_per_second;
-    j["threads"] = p.threads;
-    j["seconds_to_finish"] = static_cast<double>(a.steps) / p.steps_per_second;
+    if (p.steps_per_second > 0.0 && p.unstable_step == 0) {
+        j["memory_bytes"] = p.memory_bytes;
+        j["steps_per_second"] = p.steps_per_second;
+        j["threads"] = p.threads;
+        j["seconds_to_finish"] = static_cast<double>(a.steps) / p.steps_per_second;
+    }
     j["advice"] = Json::array();
     for (const Advice& x : a.advice)
         j["advice"].push_back({{"refused", x.weight == Advice::Weight::refuse}, {"text", x.text}});
@@ -238,8 +201,14 @@ int check(const CheckOptions& options) {
     const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     model.threads = options.threads > 0 ? options.threads : all;
     const State initial = initial_state(c, model);
-    const Appraisal a = appraise(c, choice, model, initial);
-    const Probe p = probe(model, initial);
+    Appraisal a = appraise(c, choice, model, initial);
+    const Probe p = a.refused() ? Probe{} : probe(model, initial);
+    if (p.unstable_step > 0)
+        a.advice.push_back(
+            {Advice::Weight::refuse,
+             fmt::format("A node moved by half a site at step {} of a short try: write "
+                         "dt = \"{}\" in [numerics].",
+                         p.unstable_step, rounded_text(Time{0.25 * choice.dt.si}, 2))});
     if (options.json) {
         fmt::print("{}\n", to_json(c, choice, a, p).dump(2));
     } else {

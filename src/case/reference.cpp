@@ -88,7 +88,7 @@ void collect(const std::string& path, std::string_view meaning, std::vector<Tabl
 
 std::vector<TableLines> all_tables() {
     std::vector<TableLines> tables;
-    collect<Case>("", "at the top of the file", tables);
+    collect<Case>("", "keys at the top of the file", tables);
     return tables;
 }
 

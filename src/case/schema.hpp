@@ -357,7 +357,7 @@ struct FieldList<OutputCase> {
         FieldEntry{"checkpoint",
                    &T::checkpoint,
                    "between two checkpoints, in time on the clock on the wall",
-                   Range{1.0, 1e7},
+                   Range{6.0, 6e6},
                    {},
                    "5 min"},
         FieldEntry{"figure_times",
