@@ -102,7 +102,7 @@ constexpr std::array customary{
     Customary{{1, -3, 0}, "density", {"kg/m^3"}},
     Customary{{1, -1, -1}, "viscosity", {"Pa s", "cP"}},
     Customary{{0, 2, -1}, "kinematic viscosity", {"m^2/s", "mm^2/s"}},
-    Customary{{1, -1, -2}, "pressure", {"Pa", "kPa", "mPa"}},
+    Customary{{1, -1, -2}, "pressure", {"Pa", "kPa", "MPa", "mPa"}},
     Customary{{1, -2, -2}, "pressure gradient", {"Pa/m", "kPa/m"}},
     Customary{{1, 0, -2}, "tension (an energy per area)", {"N/m", "uN/m", "mN/m"}},
     Customary{{1, 2, -2}, "bending modulus (an energy)", {"J"}},

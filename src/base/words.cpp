@@ -4,6 +4,20 @@
 
 namespace tt {
 
+namespace {
+
+/// Up to the first space outside double quotes: "4 um" stays together.
+std::string_view first_word(std::string_view text) {
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '"') quoted = !quoted;
+        if (text[i] == ' ' && !quoted) return text.substr(0, i);
+    }
+    return text;
+}
+
+}  // namespace
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1);
     std::vector<std::size_t> above(b.size() + 1);
@@ -56,7 +70,9 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
     std::string result;
     std::size_t column = 0;
-    for (const std::string_view word : split(text, ' ')) {
+    while (!text.empty()) {
+        const std::string_view word = first_word(text);
+        text.remove_prefix(std::min(word.size() + 1, text.size()));
         if (word.empty()) continue;
         if (column > indent && column + 1 + word.size() > width) {
             result += '\n' + std::string(indent, ' ');
