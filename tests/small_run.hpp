@@ -17,8 +17,8 @@
 
 namespace tt {
 
-/// Two cells in a small sheared box, some milliseconds of a thousand steps a second of wall time: for tests of what a run
-/// does around its steps.
+/// Two cells in a small sheared box, some milliseconds of a thousand steps a second of wall time:
+/// for tests of what a run does around its steps.
 inline Model small_model() {
     Model model;
     model.lattice = Lattice{33, 24, true};
@@ -69,7 +69,8 @@ inline RunRequest small_request(const std::filesystem::path& directory, std::int
 
 inline RunOutcome run_small(const RunRequest& request, const Model& model = small_model()) {
     Periodic exchange;
-    return run_case(request, model, [&] { return small_state(model); }, exchange);
+    return run_case(
+        request, model, [&] { return small_state(model); }, exchange);
 }
 
 }  // namespace tt

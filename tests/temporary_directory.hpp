@@ -20,7 +20,8 @@ protected:
         const bool usable = access(memory.c_str(), W_OK) == 0;
         const std::filesystem::path base = usable ? memory : std::filesystem::temp_directory_path();
         std::string name = (base / "tanktread-test-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::filesystem::filesystem_error(name, std::error_code());
+        if (mkdtemp(name.data()) == nullptr)
+            throw std::filesystem::filesystem_error(name, std::error_code());
         directory_ = name;
     }
     ~TemporaryDirectory() override {

@@ -11,7 +11,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Names the format and its version; the last byte pair tells the order of bytes in a number.
-constexpr char magic[16] = {'t', 'a', 'n', 'k', 't', 'r', 'e', 'a', 'd', ' ', '1', '\n', 0x04, 0x03, 0x02, 0x01};
+constexpr char magic[16] = {'t', 'a', 'n', 'k',  't',  'r',  'e',  'a',
+                            'd', ' ', '1', '\n', 0x04, 0x03, 0x02, 0x01};
 
 std::size_t element_size(char code) {
     switch (code) {
@@ -32,14 +33,17 @@ void keep(const fs::path& path, const fs::path& previous) {
     const fs::path link = with_suffix(previous, ".tmp");
     fs::remove(link, code);
     fs::create_hard_link(path, link, code);
-    // A file system without hard links: for a moment only `previous` exists, which readers fall back to.
+    // A file system without hard links: for a moment only `previous` exists, which readers fall
+    // back to.
     move_into_place(code ? path : link, previous, Durability::power);
 }
 
 }  // namespace
 
 ArchiveWriter::ArchiveWriter(fs::path path)
-    : path_(std::move(path)), temporary_(with_suffix(path_, ".tmp")), file_(temporary_, OutputFile::Mode::create) {
+    : path_(std::move(path)),
+      temporary_(with_suffix(path_, ".tmp")),
+      file_(temporary_, OutputFile::Mode::create) {
     write(magic, sizeof magic);
 }
 
@@ -53,8 +57,8 @@ void ArchiveWriter::write(const void* bytes, std::size_t size) {
     file_.write(bytes, size);
 }
 
-void ArchiveWriter::put_bytes(std::string_view name, char code, std::uint64_t count, const void* bytes,
-                              std::size_t size) {
+void ArchiveWriter::put_bytes(std::string_view name, char code, std::uint64_t count,
+                              const void* bytes, std::size_t size) {
     const auto length = static_cast<std::uint32_t>(name.size());
     write(&length, sizeof length);
     write(name.data(), name.size());
@@ -76,11 +80,14 @@ void ArchiveWriter::commit(const fs::path& previous) {
 }
 
 ArchiveReader::ArchiveReader(const fs::path& path) : path_(path), bytes_(read_file(path)) {
-    if (bytes_.size() < sizeof magic + sizeof(std::uint32_t) + sizeof hash_) throw_damaged("it is cut short");
-    if (std::memcmp(bytes_.data(), magic, sizeof magic) != 0) throw_damaged("it is not of this format");
+    if (bytes_.size() < sizeof magic + sizeof(std::uint32_t) + sizeof hash_)
+        throw_damaged("it is cut short");
+    if (std::memcmp(bytes_.data(), magic, sizeof magic) != 0)
+        throw_damaged("it is not of this format");
     const std::size_t end = bytes_.size() - sizeof hash_;
     std::memcpy(&hash_, bytes_.data() + end, sizeof hash_);
-    if (checksum(std::string_view(bytes_).substr(0, end)) != hash_) throw_damaged("its checksum does not match");
+    if (checksum(std::string_view(bytes_).substr(0, end)) != hash_)
+        throw_damaged("its checksum does not match");
     read_sections(end);
 }
 
@@ -102,7 +109,8 @@ void ArchiveReader::read_sections(std::size_t end) {
         read(section.code);
         read(section.count);
         const std::size_t size = element_size(section.code);
-        if (size == 0 || section.count > (end - at) / size) throw_damaged(fmt::format("section '{}' is cut short", name));
+        if (size == 0 || section.count > (end - at) / size)
+            throw_damaged(fmt::format("section '{}' is cut short", name));
         section.offset = at;
         at += section.count * size;
         sections_[name] = section;
@@ -119,7 +127,8 @@ const ArchiveReader::Section& ArchiveReader::find(std::string_view name, char co
 }
 
 void ArchiveReader::expect_single(std::string_view name, std::size_t count) const {
-    if (count != 1) throw_damaged(fmt::format("section '{}' holds {} values, not one", name, count));
+    if (count != 1)
+        throw_damaged(fmt::format("section '{}' holds {} values, not one", name, count));
 }
 
 std::string ArchiveReader::text(std::string_view name) const {

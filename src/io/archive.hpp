@@ -22,20 +22,22 @@ public:
     using IoError::IoError;
 };
 
-/// One letter per element type, stored with each section so that a double is never read as an integer.
+/// One letter per element type, stored with each section so that a double is never read as an
+/// integer.
 template <class T>
 constexpr char element_code() {
-    static_assert(std::is_same_v<T, double> || std::is_same_v<T, std::int32_t> || std::is_same_v<T, std::int64_t> ||
-                  std::is_same_v<T, char>);
+    static_assert(std::is_same_v<T, double> || std::is_same_v<T, std::int32_t> ||
+                  std::is_same_v<T, std::int64_t> || std::is_same_v<T, char>);
     if constexpr (std::is_same_v<T, double>) return 'd';
     else if constexpr (std::is_same_v<T, std::int32_t>) return 'i';
     else if constexpr (std::is_same_v<T, std::int64_t>) return 'l';
     else return 'c';
 }
 
-/// Named arrays in one binary file: the magic word, then per section the length of its name (u32), the name, the element
-/// code (1 byte), the count (u64) and the elements as they lie in memory; a name of length 0; XXH64 of everything before.
-/// Written beside its place and moved there by `commit`, so the place holds an old whole archive or a new one.
+/// Named arrays in one binary file: the magic word, then per section the length of its name (u32),
+/// the name, the element code (1 byte), the count (u64) and the elements as they lie in memory; a
+/// name of length 0; XXH64 of everything before. Written beside its place and moved there by
+/// `commit`, so the place holds an old whole archive or a new one.
 class ArchiveWriter {
 public:
     explicit ArchiveWriter(std::filesystem::path path);
@@ -48,10 +50,16 @@ public:
         put_bytes(name, element_code<T>(), values.size(), values.data(), values.size_bytes());
     }
     template <class T>
-    void put(std::string_view name, const std::vector<T>& values) { put(name, std::span<const T>(values)); }
+    void put(std::string_view name, const std::vector<T>& values) {
+        put(name, std::span<const T>(values));
+    }
     template <class T>
-    void put_value(std::string_view name, T value) { put(name, std::span<const T>(&value, 1)); }
-    void put_text(std::string_view name, std::string_view text) { put(name, std::span<const char>(text)); }
+    void put_value(std::string_view name, T value) {
+        put(name, std::span<const T>(&value, 1));
+    }
+    void put_text(std::string_view name, std::string_view text) {
+        put(name, std::span<const char>(text));
+    }
 
     /// Finishes, syncs and moves the archive into its place. What stood there stays as `previous`.
     void commit(const std::filesystem::path& previous);
@@ -59,7 +67,8 @@ public:
     void commit() { commit({}); }
 
 private:
-    void put_bytes(std::string_view name, char code, std::uint64_t count, const void* bytes, std::size_t size);
+    void put_bytes(std::string_view name, char code, std::uint64_t count, const void* bytes,
+                   std::size_t size);
     void write(const void* bytes, std::size_t size);
 
     std::filesystem::path path_;
@@ -68,7 +77,8 @@ private:
     Checksum checksum_;
 };
 
-/// Reads an archive whole and checks it before anything of it is used. DamagedArchive if it is not sound.
+/// Reads an archive whole and checks it before anything of it is used. DamagedArchive if it is not
+/// sound.
 class ArchiveReader {
 public:
     explicit ArchiveReader(const std::filesystem::path& path);
@@ -79,13 +89,14 @@ public:
     std::vector<T> take(std::string_view name) const {
         const Section& section = find(name, element_code<T>());
         std::vector<T> values(section.count);
-        if (section.count > 0) std::memcpy(values.data(), bytes_.data() + section.offset, section.count * sizeof(T));
+        if (section.count > 0)
+            std::memcpy(values.data(), bytes_.data() + section.offset, section.count * sizeof(T));
         return values;
     }
     template <class T>
     T value(std::string_view name) const {
         const std::vector<T> values = take<T>(name);
-       expect_single(name, values.size());
+        expect_single(name, values.size());
         return values.front();
     }
     std::string text(std::string_view name) const;

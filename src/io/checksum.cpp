@@ -18,7 +18,9 @@ void Checksum::add(const void* bytes, std::size_t count) {
     if (count > 0) XXH64_update(static_cast<XXH64_state_t*>(state_), bytes, count);
 }
 
-std::uint64_t Checksum::value() const { return XXH64_digest(static_cast<const XXH64_state_t*>(state_)); }
+std::uint64_t Checksum::value() const {
+    return XXH64_digest(static_cast<const XXH64_state_t*>(state_));
+}
 
 std::uint64_t checksum(std::string_view bytes) { return XXH64(bytes.data(), bytes.size(), 0); }
 

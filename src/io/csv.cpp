@@ -21,7 +21,8 @@ std::vector<std::string_view> split(std::string_view line) {
 
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r'))
+        text.remove_suffix(1);
     return text;
 }
 
@@ -43,14 +44,16 @@ void read_header(std::string_view line, Table& table) {
 void read_row(std::string_view line, const std::string& place, Table& table) {
     const std::vector<std::string_view> cells = split(line);
     if (cells.size() != table.names.size()) {
-        throw IoError(fmt::format("{}: {} cells where the header has {}", place, cells.size(), table.names.size()));
+        throw IoError(fmt::format("{}: {} cells where the header has {}", place, cells.size(),
+                                  table.names.size()));
     }
     for (std::size_t k = 0; k < cells.size(); ++k) {
         const std::string_view cell = trimmed(cells[k]);
         double value = 0.0;
         const auto [end, code] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
         if (code != std::errc{} || end != cell.data() + cell.size()) {
-            throw IoError(fmt::format("{}: '{}' in column '{}' is not a number", place, cell, table.names[k]));
+            throw IoError(fmt::format("{}: '{}' in column '{}' is not a number", place, cell,
+                                      table.names[k]));
         }
         table.columns[k].push_back(value);
     }
@@ -58,15 +61,20 @@ void read_row(std::string_view line, const std::string& place, Table& table) {
 
 std::size_t index_of(const Table& table, std::string_view name) {
     const auto found = std::find(table.names.begin(), table.names.end(), name);
-    if (found == table.names.end()) throw IoError(fmt::format("the table has no column '{}'", name));
+    if (found == table.names.end())
+        throw IoError(fmt::format("the table has no column '{}'", name));
     return static_cast<std::size_t>(found - table.names.begin());
 }
 
 }  // namespace
 
-bool Table::has(std::string_view name) const { return std::find(names.begin(), names.end(), name) != names.end(); }
+bool Table::has(std::string_view name) const {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
-const std::vector<double>& Table::column(std::string_view name) const { return columns[index_of(*this, name)]; }
+const std::vector<double>& Table::column(std::string_view name) const {
+    return columns[index_of(*this, name)];
+}
 
 const std::string& Table::unit(std::string_view name) const { return units[index_of(*this, name)]; }
 

@@ -14,7 +14,8 @@
 
 namespace tt {
 
-/// `time [s],cell,mean_velocity [m/s]`: one column per entry of the row's field list, with its unit.
+/// `time [s],cell,mean_velocity [m/s]`: one column per entry of the row's field list, with its
+/// unit.
 template <class Row>
 std::string csv_header() {
     std::string text;
@@ -59,8 +60,9 @@ struct Table {
     const std::string& unit(std::string_view name) const;
 };
 
-/// Reads what csv_header and csv_row wrote. Lines starting with '#' are skipped. IoError with path:line for a ragged
-/// line or a cell that is no number; a last line that is still being written is left out.
+/// Reads what csv_header and csv_row wrote. Lines starting with '#' are skipped. IoError with
+/// path:line for a ragged line or a cell that is no number; a last line that is still being written
+/// is left out.
 Table read_csv(const std::filesystem::path& path);
 
 }  // namespace tt

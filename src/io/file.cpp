@@ -49,7 +49,8 @@ OutputFile::~OutputFile() {
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept
-    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
 
 void OutputFile::fail(const char* verb) const { throw_io(verb, path_, errno); }
 
@@ -80,8 +81,8 @@ void OutputFile::sync() {
 
 void OutputFile::cut(std::int64_t size) {
     if (size > this->size()) {
-        throw IoError(fmt::format("'{}' is shorter ({} bytes) than the checkpoint says ({} bytes)", path_.string(),
-                                  this->size(), size));
+        throw IoError(fmt::format("'{}' is shorter ({} bytes) than the checkpoint says ({} bytes)",
+                                  path_.string(), this->size(), size));
     }
     if (::ftruncate(descriptor_, size) != 0) fail("truncate");
 }
@@ -148,11 +149,13 @@ void make_directory(const fs::path& path) {
 
 void expect_room(const fs::path& path, std::uint64_t bytes) {
     struct rlimit limit {};
-    if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && bytes > limit.rlim_cur) {
+    if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
+        bytes > limit.rlim_cur) {
         throw_io("write", path, EFBIG);
     }
     std::error_code code;
-    const fs::space_info room = fs::space(path.has_parent_path() ? path.parent_path() : fs::path("."), code);
+    const fs::space_info room =
+        fs::space(path.has_parent_path() ? path.parent_path() : fs::path("."), code);
     if (!code && room.available < bytes) throw_io("write", path, ENOSPC);
 }
 

@@ -8,8 +8,8 @@
 
 namespace tt {
 
-/// A file being written. Every call is checked: what goes wrong (disk full, size limit, no permission) is an IoError
-/// that names the path and the cause.
+/// A file being written. Every call is checked: what goes wrong (disk full, size limit, no
+/// permission) is an IoError that names the path and the cause.
 class OutputFile {
 public:
     enum class Mode : std::uint8_t { create, append };
@@ -42,12 +42,13 @@ private:
 /// What a replaced file must survive: the end of this process, or a loss of power too.
 enum class Durability : std::uint8_t { process, power };
 
-/// Puts `bytes` in the place of `path` in one stroke: a reader sees the old content or the new, and a failure (IoError)
-/// leaves the old.
+/// Puts `bytes` in the place of `path` in one stroke: a reader sees the old content or the new, and
+/// a failure (IoError) leaves the old.
 void replace_file(const std::filesystem::path& path, std::string_view bytes, Durability durability);
 
 /// Renames, checked; the directory entry is on the disk when it returns.
-void move_into_place(const std::filesystem::path& from, const std::filesystem::path& to, Durability durability);
+void move_into_place(const std::filesystem::path& from, const std::filesystem::path& to,
+                     Durability durability);
 
 /// The whole file. IoError if it cannot be read.
 std::string read_file(const std::filesystem::path& path);
@@ -55,7 +56,8 @@ std::string read_file(const std::filesystem::path& path);
 /// Creates the directory and its parents. IoError if that fails.
 void make_directory(const std::filesystem::path& path);
 
-/// IoError unless `bytes` more could be written beside `path`: asked before a library writes that checks less than we do.
+/// IoError unless `bytes` more could be written beside `path`: asked before a library writes that
+/// checks less than we do.
 void expect_room(const std::filesystem::path& path, std::uint64_t bytes);
 
 }  // namespace tt

@@ -77,7 +77,9 @@ bool is_merged(const fs::path& path) {
 }  // namespace
 
 FramesWriter::FramesWriter(fs::path directory, FramesHeader header, std::int64_t count)
-    : directory_(std::move(directory)), header_(std::move(header)), count_(count) {
+    : directory_(std::move(directory)),
+      header_(std::move(header)),
+      count_(count) {
     const fs::path folder = directory_ / "frames";
     const fs::path index = directory_ / "frames.h5";
     const fs::path merged = folder / "merged.h5";
@@ -86,7 +88,8 @@ FramesWriter::FramesWriter(fs::path directory, FramesHeader header, std::int64_t
     merged_ = frames_in(merged);
     for (const auto& entry : fs::directory_iterator(folder)) {
         const std::string stem = entry.path().stem().string();
-        const bool numbered = !stem.empty() && stem.find_first_not_of("0123456789") == std::string::npos;
+        const bool numbered =
+            !stem.empty() && stem.find_first_not_of("0123456789") == std::string::npos;
         std::error_code ignored;
         if (numbered && std::stoll(stem) >= count_) fs::remove(entry.path(), ignored);
     }
@@ -125,7 +128,8 @@ void FramesWriter::merge() {
     const fs::path index = directory_ / "frames.h5";
     const fs::path temporary = directory_ / "frames.h5.tmp";
     std::uint64_t bytes = 1 << 20;
-    for (const auto& entry : fs::directory_iterator(directory_ / "frames")) bytes += entry.file_size();
+    for (const auto& entry : fs::directory_iterator(directory_ / "frames"))
+        bytes += entry.file_size();
     expect_room(temporary, bytes);
     try {
         const hdf5::Id from = hdf5::open_file(index);
@@ -133,7 +137,8 @@ void FramesWriter::merge() {
         write_header(to, header_);
         hdf5::write_attribute(to, "merged", std::int64_t{1});
         hdf5::create_group(to, "frames");
-        for (std::int64_t number = 0; number < count_; ++number) hdf5::copy(from, to, group_name(number));
+        for (std::int64_t number = 0; number < count_; ++number)
+            hdf5::copy(from, to, group_name(number));
         hdf5::expect(H5Fflush(to, H5F_SCOPE_GLOBAL) >= 0, "flush", temporary.string());
         to.reset();
         OutputFile(temporary, OutputFile::Mode::append).sync();

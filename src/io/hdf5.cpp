@@ -20,8 +20,8 @@ Id checked(hid_t id, Id::Close close, const char* what, const std::string& name)
 Id scalar_space() { return checked(H5Screate(H5S_SCALAR), H5Sclose, "create a scalar", ""); }
 
 Id simple_space(const std::vector<hsize_t>& shape) {
-    return checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose,
-                   "create an array", "");
+    return checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+                   H5Sclose, "create an array", "");
 }
 
 /// Text of any length: h5py hands it out as str, where it makes bytes of a text of fixed length.
@@ -32,9 +32,11 @@ Id text_type() {
     return type;
 }
 
-void put_attribute(hid_t where, const std::string& name, hid_t type, hid_t space, const void* value) {
-    const Id attribute = checked(H5Acreate2(where, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                                 "create the attribute", name);
+void put_attribute(hid_t where, const std::string& name, hid_t type, hid_t space,
+                   const void* value) {
+    const Id attribute =
+        checked(H5Acreate2(where, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                "create the attribute", name);
     expect(H5Awrite(attribute, type, value) >= 0, "write the attribute", name);
 }
 
@@ -43,24 +45,31 @@ Id open_attribute(hid_t where, const std::string& name) {
     return checked(H5Aopen(where, name.c_str(), H5P_DEFAULT), H5Aclose, "find the attribute", name);
 }
 
-void put_dataset(hid_t where, const std::string& name, const std::vector<hsize_t>& shape, hid_t type,
-                 const void* values, const std::string& unit) {
+void put_dataset(hid_t where, const std::string& name, const std::vector<hsize_t>& shape,
+                 hid_t type, const void* values, const std::string& unit) {
     const Id space = simple_space(shape);
-    const Id dataset = checked(
-        H5Dcreate2(where, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
-        "create the dataset", name);
-    expect(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0, "write the dataset", name);
+    const Id dataset =
+        checked(H5Dcreate2(where, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                H5Dclose, "create the dataset", name);
+    expect(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0, "write the dataset",
+           name);
     if (!unit.empty()) write_attribute(dataset, "unit", unit);
 }
 
 template <class T>
 hid_t native_type();
 template <>
-hid_t native_type<double>() { return H5T_NATIVE_DOUBLE; }
+hid_t native_type<double>() {
+    return H5T_NATIVE_DOUBLE;
+}
 template <>
-hid_t native_type<float>() { return H5T_NATIVE_FLOAT; }
+hid_t native_type<float>() {
+    return H5T_NATIVE_FLOAT;
+}
 template <>
-hid_t native_type<std::int32_t>() { return H5T_NATIVE_INT32; }
+hid_t native_type<std::int32_t>() {
+    return H5T_NATIVE_INT32;
+}
 
 }  // namespace
 
@@ -76,7 +85,8 @@ Id create_in_memory() {
     // HDF5 refuses a second open file of the same name, even in memory.
     static std::atomic<int> number{0};
     const std::string name = fmt::format("in-memory-{}", number++);
-    return checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "create", name);
+    return checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "create",
+                   name);
 }
 
 std::string image(hid_t file) {
@@ -90,13 +100,14 @@ std::string image(hid_t file) {
 
 Id create_file(const std::filesystem::path& path) {
     be_quiet();
-    return checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, "create",
-                   path.string());
+    return checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
+                   "create", path.string());
 }
 
 Id open_file(const std::filesystem::path& path) {
     be_quiet();
-    return checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open", path.string());
+    return checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open",
+                   path.string());
 }
 
 Id create_group(hid_t where, const std::string& name) {
@@ -109,7 +120,9 @@ Id open_group(hid_t where, const std::string& name) {
     return checked(H5Gopen2(where, name.c_str(), H5P_DEFAULT), H5Gclose, "find the group", name);
 }
 
-bool exists(hid_t where, const std::string& name) { return H5Lexists(where, name.c_str(), H5P_DEFAULT) > 0; }
+bool exists(hid_t where, const std::string& name) {
+    return H5Lexists(where, name.c_str(), H5P_DEFAULT) > 0;
+}
 
 void write_attribute(hid_t where, const std::string& name, double value) {
     put_attribute(where, name, H5T_NATIVE_DOUBLE, scalar_space(), &value);
@@ -130,13 +143,15 @@ void write_attribute(hid_t where, const std::string& name, const std::string& te
 
 double read_double(hid_t where, const std::string& name) {
     double value = 0.0;
-    expect(H5Aread(open_attribute(where, name), H5T_NATIVE_DOUBLE, &value) >= 0, "read the attribute", name);
+    expect(H5Aread(open_attribute(where, name), H5T_NATIVE_DOUBLE, &value) >= 0,
+           "read the attribute", name);
     return value;
 }
 
 std::int64_t read_integer(hid_t where, const std::string& name) {
     std::int64_t value = 0;
-    expect(H5Aread(open_attribute(where, name), H5T_NATIVE_INT64, &value) >= 0, "read the attribute", name);
+    expect(H5Aread(open_attribute(where, name), H5T_NATIVE_INT64, &value) >= 0,
+           "read the attribute", name);
     return value;
 }
 
@@ -174,13 +189,15 @@ void write_dataset(hid_t where, const std::string& name, std::span<const std::in
 template <class T>
 Dataset<T> read_dataset(hid_t where, const std::string& name) {
     be_quiet();
-    const Id dataset = checked(H5Dopen2(where, name.c_str(), H5P_DEFAULT), H5Dclose, "find the dataset", name);
+    const Id dataset =
+        checked(H5Dopen2(where, name.c_str(), H5P_DEFAULT), H5Dclose, "find the dataset", name);
     const Id space = checked(H5Dget_space(dataset), H5Sclose, "read the dataset", name);
     Dataset<T> result;
     result.shape.resize(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
     H5Sget_simple_extent_dims(space, result.shape.data(), nullptr);
     result.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-    expect(H5Dread(dataset, native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()) >= 0,
+    expect(H5Dread(dataset, native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                   result.values.data()) >= 0,
            "read the dataset", name);
     return result;
 }
@@ -188,13 +205,16 @@ template Dataset<double> read_dataset(hid_t, const std::string&);
 template Dataset<float> read_dataset(hid_t, const std::string&);
 template Dataset<std::int32_t> read_dataset(hid_t, const std::string&);
 
-void link_external(hid_t where, const std::string& name, const std::string& file, const std::string& object) {
-    expect(H5Lcreate_external(file.c_str(), object.c_str(), where, name.c_str(), H5P_DEFAULT, H5P_DEFAULT) >= 0,
+void link_external(hid_t where, const std::string& name, const std::string& file,
+                   const std::string& object) {
+    expect(H5Lcreate_external(file.c_str(), object.c_str(), where, name.c_str(), H5P_DEFAULT,
+                              H5P_DEFAULT) >= 0,
            "link", file);
 }
 
 void copy(hid_t from, hid_t to, const std::string& name) {
-    expect(H5Ocopy(from, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT) >= 0, "copy", name);
+    expect(H5Ocopy(from, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT) >= 0, "copy",
+           name);
 }
 
 }  // namespace tt::hdf5

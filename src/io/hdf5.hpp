@@ -36,8 +36,8 @@ private:
     Close close_ = nullptr;
 };
 
-/// A file that exists in memory only; `image` hands out its bytes. HDF5 then never writes to a disk itself, and a full
-/// disk is met by code that checks (`replace_file`).
+/// A file that exists in memory only; `image` hands out its bytes. HDF5 then never writes to a disk
+/// itself, and a full disk is met by code that checks (`replace_file`).
 Id create_in_memory();
 std::string image(hid_t file);
 
@@ -75,8 +75,10 @@ extern template Dataset<double> read_dataset(hid_t, const std::string&);
 extern template Dataset<float> read_dataset(hid_t, const std::string&);
 extern template Dataset<std::int32_t> read_dataset(hid_t, const std::string&);
 
-/// Entry `name` of `where` that stands for `object` of another file, found relative to this file's folder.
-void link_external(hid_t where, const std::string& name, const std::string& file, const std::string& object);
+/// Entry `name` of `where` that stands for `object` of another file, found relative to this file's
+/// folder.
+void link_external(hid_t where, const std::string& name, const std::string& file,
+                   const std::string& object);
 
 /// Copies `name` of `from`, links resolved, to the same name in `to`.
 void copy(hid_t from, hid_t to, const std::string& name);

@@ -7,7 +7,8 @@
 namespace tt {
 
 void write_json(const std::filesystem::path& path, const Json& value, Durability durability) {
-    // Text of the user (a name, a command line) may hold bytes that are not UTF-8: replaced, never an exception.
+    // Text of the user (a name, a command line) may hold bytes that are not UTF-8: replaced, never
+    // an exception.
     const std::string text = value.dump(2, ' ', false, Json::error_handler_t::replace);
     replace_file(path, text + '\n', durability);
 }

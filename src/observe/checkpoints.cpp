@@ -9,7 +9,8 @@
 namespace tt {
 
 Checkpoints::Checkpoints(const std::filesystem::path& results, std::string case_hash)
-    : folder_(results / "checkpoint"), case_hash_(std::move(case_hash)) {}
+    : folder_(results / "checkpoint"),
+      case_hash_(std::move(case_hash)) {}
 
 void Checkpoints::save(const State& state, const Observers& observers, double wall_seconds) {
     make_directory(folder_);
@@ -22,7 +23,8 @@ void Checkpoints::save(const State& state, const Observers& observers, double wa
     saved_step_ = state.step;
 }
 
-std::optional<ArchiveReader> Checkpoints::newest(const std::function<void(const std::string&)>& say) {
+std::optional<ArchiveReader> Checkpoints::newest(
+    const std::function<void(const std::string&)>& say) {
     std::string faults;
     for (const auto& path : {current(), previous()}) {
         if (!std::filesystem::exists(path)) continue;
@@ -42,8 +44,10 @@ std::optional<ArchiveReader> Checkpoints::newest(const std::function<void(const 
         faults += fault + '\n';
     }
     if (faults.empty()) return std::nullopt;
-    throw DamagedArchive(fmt::format("{}no sound checkpoint is left; 'run --fresh' starts anew and keeps the old "
-                                     "directory beside it", faults));
+    throw DamagedArchive(
+        fmt::format("{}no sound checkpoint is left; 'run --fresh' starts anew and keeps the old "
+                    "directory beside it",
+                    faults));
 }
 
 }  // namespace tt

@@ -17,8 +17,8 @@ namespace tt {
 
 using Observers = std::vector<std::unique_ptr<Observer>>;
 
-/// The folder checkpoint/ of a results directory: `current` and, one older, `previous`. Each holds the state, what the
-/// observers remember, the hash of the case and the wall time spent so far.
+/// The folder checkpoint/ of a results directory: `current` and, one older, `previous`. Each holds
+/// the state, what the observers remember, the hash of the case and the wall time spent so far.
 class Checkpoints {
 public:
     Checkpoints(const std::filesystem::path& results, std::string case_hash);
@@ -26,8 +26,9 @@ public:
     /// Never half-written: the new one takes its place only when it is whole and on the disk.
     void save(const State& state, const Observers& observers, double wall_seconds);
 
-    /// The newest sound checkpoint of this case; one that is damaged (renamed to `damaged`) or of another case is
-    /// passed over with a message to `say`. Nothing if there is none at all; DamagedArchive if there are some and none is sound.
+    /// The newest sound checkpoint of this case; one that is damaged (renamed to `damaged`) or of
+    /// another case is passed over with a message to `say`. Nothing if there is none at all;
+    /// DamagedArchive if there are some and none is sound.
     std::optional<ArchiveReader> newest(const std::function<void(const std::string&)>& say);
 
     std::filesystem::path current() const { return folder_ / "current"; }

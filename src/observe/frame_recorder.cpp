@@ -8,7 +8,8 @@
 namespace tt {
 namespace {
 
-std::vector<double> interleaved(const std::vector<double>& x, const std::vector<double>& y, double unit) {
+std::vector<double> interleaved(const std::vector<double>& x, const std::vector<double>& y,
+                                double unit) {
     std::vector<double> pairs;
     pairs.reserve(2 * x.size());
     for (std::size_t n = 0; n < x.size(); ++n) {
@@ -25,7 +26,8 @@ Frame frame_of(const Snapshot& snapshot) {
     const Lattice& lattice = snapshot.model().lattice;
     const Scales& scales = snapshot.model().scales;
     const double speed = scales.unit(Velocity::dimension);
-    const double pressure = scales.unit(Pressure::dimension) * d2q9::sound_speed_squared;  // p = c_s² δρ
+    const double pressure =
+        scales.unit(Pressure::dimension) * d2q9::sound_speed_squared;  // p = c_s² δρ
     Frame frame;
     frame.time = snapshot.time().si;
     frame.step = snapshot.step();
@@ -44,7 +46,8 @@ Frame frame_of(const Snapshot& snapshot) {
             frame.velocity.push_back(static_cast<float>(state.velocity.y(i, j) * speed));
             const double excess = moments(state.populations, i, j).density_deviation;
             frame.pressure.push_back(static_cast<float>(excess * pressure));
-            frame.cytoplasm.push_back(cells ? static_cast<float>(state.interior.fraction(i, j)) : 0.0f);
+            frame.cytoplasm.push_back(cells ? static_cast<float>(state.interior.fraction(i, j))
+                                            : 0.0f);
         }
     }
     return frame;
@@ -63,9 +66,12 @@ FramesHeader frames_header(const Model& model, const State& state, const std::st
     return header;
 }
 
-FrameRecorder::FrameRecorder(const Schedule& schedule, const std::filesystem::path& directory, FramesHeader header,
-                             std::function<void(const std::string&)> say)
-    : Observer(schedule), directory_(directory), header_(std::move(header)), say_(std::move(say)) {}
+FrameRecorder::FrameRecorder(const Schedule& schedule, const std::filesystem::path& directory,
+                             FramesHeader header, std::function<void(const std::string&)> say)
+    : Observer(schedule),
+      directory_(directory),
+      header_(std::move(header)),
+      say_(std::move(say)) {}
 
 void FrameRecorder::start() { writer_.emplace(directory_, header_, 0); }
 
@@ -75,7 +81,9 @@ void FrameRecorder::resume(const ArchiveReader& archive) {
 
 void FrameRecorder::observe(const Snapshot& snapshot) { writer_->write(frame_of(snapshot)); }
 
-void FrameRecorder::save(ArchiveWriter& archive) { archive.put_value("frames.count", writer_->count()); }
+void FrameRecorder::save(ArchiveWriter& archive) {
+    archive.put_value("frames.count", writer_->count());
+}
 
 void FrameRecorder::finish() {
     try {

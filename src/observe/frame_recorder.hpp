@@ -13,12 +13,13 @@ namespace tt {
 /// All of one step in SI, as frames.h5 keeps it.
 Frame frame_of(const Snapshot& snapshot);
 
-/// frames.h5: nodes, their forces and velocities, and the fields of velocity, pressure and cytoplasm.
+/// frames.h5: nodes, their forces and velocities, and the fields of velocity, pressure and
+/// cytoplasm.
 class FrameRecorder : public Observer {
 public:
     /// `name` is that of the case; `say` takes a message for the log.
-    FrameRecorder(const Schedule& schedule, const std::filesystem::path& directory, FramesHeader header,
-                  std::function<void(const std::string&)> say);
+    FrameRecorder(const Schedule& schedule, const std::filesystem::path& directory,
+                  FramesHeader header, std::function<void(const std::string&)> say);
 
     void start() override;
     void resume(const ArchiveReader& archive) override;

@@ -6,8 +6,9 @@
 
 namespace tt {
 
-/// Watches a run and writes what it sees; never changes it. Whatever it remembers from one look to the next goes into the
-/// checkpoint, so that a run that was stopped and resumed leaves the same files as one that was not.
+/// Watches a run and writes what it sees; never changes it. Whatever it remembers from one look to
+/// the next goes into the checkpoint, so that a run that was stopped and resumed leaves the same
+/// files as one that was not.
 class Observer {
 public:
     explicit Observer(const Schedule& schedule) : schedule_(schedule) {}

@@ -10,7 +10,8 @@ double mean_extension(const Suspension& cells) {
     if (cells.cell_count() == 0) return 1.0;
     double sum = 0.0;
     for (int c = 0; c < cells.cell_count(); ++c) {
-        sum += perimeter(outline(cells, c)) / cells.reference_perimeter[static_cast<std::size_t>(c)];
+        sum +=
+            perimeter(outline(cells, c)) / cells.reference_perimeter[static_cast<std::size_t>(c)];
     }
     return sum / cells.cell_count();
 }

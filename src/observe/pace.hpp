@@ -13,12 +13,12 @@ namespace tt {
 struct Standing {
     std::string name;
     std::int64_t step = 0, steps = 0;
-    double time = 0.0, end = 0.0;     ///< [s]
-    double wall_seconds = 0.0;        ///< all sessions together
-    double steps_per_second = 0.0;    ///< of late
-    double mlups = 0.0;               ///< million site updates per second
-    double seconds_left = 0.0;        ///< at this pace
-    double lambda_C = 1.0;            ///< perimeter extension ratio, mean over cells
+    double time = 0.0, end = 0.0;   ///< [s]
+    double wall_seconds = 0.0;      ///< all sessions together
+    double steps_per_second = 0.0;  ///< of late
+    double mlups = 0.0;             ///< million site updates per second
+    double seconds_left = 0.0;      ///< at this pace
+    double lambda_C = 1.0;          ///< perimeter extension ratio, mean over cells
     std::int64_t checkpoint_step = -1;
     int cells = 0;
     int threads = 1;
@@ -30,7 +30,11 @@ double mean_extension(const Suspension& cells);
 /// Steps per second, smoothed over some seconds so that the time left does not jump.
 class Pace {
 public:
-    explicit Pace(std::int64_t step) : step_(step), start_(Clock::now()), last_(start_), first_step_(step) {}
+    explicit Pace(std::int64_t step)
+        : step_(step),
+          start_(Clock::now()),
+          last_(start_),
+          first_step_(step) {}
 
     void update(std::int64_t step);
     double steps_per_second() const { return rate_; }

@@ -5,8 +5,8 @@
 
 namespace tt {
 
-ProfileAverage::ProfileAverage(const Schedule& schedule, const std::filesystem::path& directory, Time from,
-                               const Model& model)
+ProfileAverage::ProfileAverage(const Schedule& schedule, const std::filesystem::path& directory,
+                               Time from, const Model& model)
     : Observer(schedule),
       directory_(directory),
       from_(from),
@@ -42,8 +42,9 @@ void ProfileAverage::write() const {
     std::string text = csv_header<ProfileRow>();
     const auto count = static_cast<double>(samples_);
     for (std::size_t j = 0; j < velocity_.size(); ++j) {
-        text += csv_row(ProfileRow{Length{(static_cast<double>(j) + 0.5) * spacing_}, Velocity{velocity_[j] / count},
-                                   hematocrit_[j] / count, samples_});
+        text +=
+            csv_row(ProfileRow{Length{(static_cast<double>(j) + 0.5) * spacing_},
+                               Velocity{velocity_[j] / count}, hematocrit_[j] / count, samples_});
     }
     replace_file(directory_ / "profiles.csv", text, Durability::power);
 }

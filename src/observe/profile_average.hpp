@@ -26,10 +26,12 @@ struct FieldList<ProfileRow> {
     };
 };
 
-/// profiles.csv: velocity and hematocrit across the channel, averaged over the looks from `from` on.
+/// profiles.csv: velocity and hematocrit across the channel, averaged over the looks from `from`
+/// on.
 class ProfileAverage : public Observer {
 public:
-    ProfileAverage(const Schedule& schedule, const std::filesystem::path& directory, Time from, const Model& model);
+    ProfileAverage(const Schedule& schedule, const std::filesystem::path& directory, Time from,
+                   const Model& model);
 
     void start() override {}
     void resume(const ArchiveReader& archive) override;

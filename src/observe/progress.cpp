@@ -18,16 +18,18 @@ std::string duration(double seconds) {
     if (!std::isfinite(seconds)) return "?";
     const auto total = static_cast<long long>(std::llround(std::min(seconds, 1e9)));
     if (total >= 2 * 86400) return fmt::format("{} d {} h", total / 86400, total % 86400 / 3600);
-    if (total >= 3600) return fmt::format("{}:{:02}:{:02}", total / 3600, total % 3600 / 60, total % 60);
+    if (total >= 3600)
+        return fmt::format("{}:{:02}:{:02}", total / 3600, total % 3600 / 60, total % 60);
     return fmt::format("{}:{:02}", total / 60, total % 60);
 }
 
 }  // namespace
 
 std::string progress_line(const Standing& s) {
-    const double percent = s.steps > 0 ? 100.0 * static_cast<double>(s.step) / static_cast<double>(s.steps) : 100.0;
-    std::string line = fmt::format("{:5.1f} %  {:.4g}/{:.4g} ms  {:.3g} steps/s  {:.3g} MLUPS", percent, s.time * 1e3,
-                                   s.end * 1e3, s.steps_per_second, s.mlups);
+    const double percent =
+        s.steps > 0 ? 100.0 * static_cast<double>(s.step) / static_cast<double>(s.steps) : 100.0;
+    std::string line = fmt::format("{:5.1f} %  {:.4g}/{:.4g} ms  {:.3g} steps/s  {:.3g} MLUPS",
+                                   percent, s.time * 1e3, s.end * 1e3, s.steps_per_second, s.mlups);
     if (s.cells > 0) line += fmt::format("  λ_C {:.3f}", s.lambda_C);
     return line + fmt::format("  {} left", duration(s.seconds_left));
 }
@@ -46,7 +48,8 @@ std::string progress_json(const Standing& s) {
 }
 
 Progress::Progress(ProgressMode mode) : mode_(mode) {
-    if (mode_ == ProgressMode::automatic) mode_ = isatty(STDERR_FILENO) ? ProgressMode::bar : ProgressMode::log;
+    if (mode_ == ProgressMode::automatic)
+        mode_ = isatty(STDERR_FILENO) ? ProgressMode::bar : ProgressMode::log;
 }
 
 Progress::~Progress() {
@@ -70,7 +73,8 @@ void Progress::show(const Standing& standing) {
         line_open_ = true;
         return;
     }
-    fmt::print(stderr, "{}\n", mode_ == ProgressMode::json ? progress_json(standing) : progress_line(standing));
+    fmt::print(stderr, "{}\n",
+               mode_ == ProgressMode::json ? progress_json(standing) : progress_line(standing));
 }
 
 void Progress::say(const std::string& message) {

@@ -7,8 +7,8 @@
 
 namespace tt {
 
-/// One line rewritten 5 times a second on a terminal, a plain line every 10 s elsewhere (`automatic` looks which it is),
-/// a line of JSON every second, or nothing.
+/// One line rewritten 5 times a second on a terminal, a plain line every 10 s elsewhere
+/// (`automatic` looks which it is), a line of JSON every second, or nothing.
 enum class ProgressMode { automatic, bar, log, json, none };
 
 /// `42.1 %  33.68/80 ms  1234 steps/s  58.2 MLUPS  λ_C 1.086  3:12 left`, at most 79 columns.

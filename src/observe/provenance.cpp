@@ -27,12 +27,9 @@ void write_provenance(const std::filesystem::path& results, const Provenance& p,
         const Json before = read_json(path);
         if (before.contains("sessions")) sessions = before["sessions"];
     }
-    const Json entry{{"started", session.started},
-                     {"command_line", p.command_line},
-                     {"threads", p.threads},
-                     {"from_step", session.from_step},
-                     {"to_step", session.to_step},
-                     {"wall_seconds", session.wall_seconds},
+    const Json entry{{"started", session.started}, {"command_line", p.command_line},
+                     {"threads", p.threads},       {"from_step", session.from_step},
+                     {"to_step", session.to_step}, {"wall_seconds", session.wall_seconds},
                      {"ending", session.ending}};
     if (session.number < 0) {
         session.number = static_cast<int>(sessions.size());

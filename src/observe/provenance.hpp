@@ -9,7 +9,8 @@ namespace tt {
 /// Where a result came from; what is not asked of the machine.
 struct Provenance {
     std::string name;
-    std::string case_hash;      ///< of what determines the run: tells whether a directory is of the same case
+    std::string
+        case_hash;  ///< of what determines the run: tells whether a directory is of the same case
     std::string case_toml, resolved_toml;
     std::string command_line;
     int threads = 1;
@@ -17,18 +18,18 @@ struct Provenance {
 
 /// One go at a run, from start or resume to its end, or to its last checkpoint if it was killed.
 struct Session {
-    std::string started;        ///< UTC
+    std::string started;  ///< UTC
     std::int64_t from_step = 0;
     std::int64_t to_step = 0;
     double wall_seconds = 0.0;
-    std::string ending;         ///< running, done, stopped, failed; `running` of an old session: killed
-    int number = -1;            ///< place in the list; −1 before the first write
+    std::string ending;  ///< running, done, stopped, failed; `running` of an old session: killed
+    int number = -1;     ///< place in the list; −1 before the first write
 };
 
-/// PROVENANCE.json: version, compiler, flags, processor, threads, hashes, and one entry per session: the
-/// first write of a session adds its entry and sets its number, later ones replace it.
-void write_provenance(const std::filesystem::path& results, const Provenance& provenance, Session& session,
-                      const std::string& state_hash);
+/// PROVENANCE.json: version, compiler, flags, processor, threads, hashes, and one entry per
+/// session: the first write of a session adds its entry and sets its number, later ones replace it.
+void write_provenance(const std::filesystem::path& results, const Provenance& provenance,
+                      Session& session, const std::string& state_hash);
 
 /// "AMD EPYC …" as the system calls it.
 std::string processor_name();

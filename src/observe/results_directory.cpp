@@ -31,10 +31,12 @@ bool holds_something(const fs::path& path) {
 
 void expect_results(const fs::path& path) {
     if (!fs::exists(path)) return;
-    if (!fs::is_directory(path)) throw DirectoryInUse(fmt::format("'{}' is a file, not a directory", path.string()));
+    if (!fs::is_directory(path))
+        throw DirectoryInUse(fmt::format("'{}' is a file, not a directory", path.string()));
     if (holds_something(path) && !fs::exists(marker(path))) {
-        throw DirectoryInUse(fmt::format("'{}' holds files but no results of ours; choose another directory with -o",
-                                         path.string()));
+        throw DirectoryInUse(
+            fmt::format("'{}' holds files but no results of ours; choose another directory with -o",
+                        path.string()));
     }
 }
 
@@ -43,13 +45,16 @@ void expect_results(const fs::path& path) {
 void DirectoryLock::acquire(const fs::path& directory) {
     const fs::path file = lock_file(directory);
     descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (descriptor_ < 0) throw IoError(fmt::format("cannot open '{}': {}", file.string(), std::strerror(errno)));
+    if (descriptor_ < 0)
+        throw IoError(fmt::format("cannot open '{}': {}", file.string(), std::strerror(errno)));
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
     const int code = errno;
     release();
     if (code == EWOULDBLOCK) {
-        throw DirectoryInUse(fmt::format("another process is writing to '{}'; wait for it or choose another directory with "
-                                         "-o", directory.string()));
+        throw DirectoryInUse(fmt::format(
+            "another process is writing to '{}'; wait for it or choose another directory with "
+            "-o",
+            directory.string()));
     }
     throw IoError(fmt::format("cannot lock '{}': {}", file.string(), std::strerror(code)));
 }
@@ -59,7 +64,8 @@ void DirectoryLock::release() {
     descriptor_ = -1;
 }
 
-ResultsDirectory::ResultsDirectory(const fs::path& path, const std::string& case_hash, Start start) : path_(path) {
+ResultsDirectory::ResultsDirectory(const fs::path& path, const std::string& case_hash, Start start)
+    : path_(path) {
     expect_results(path_);
     make_directory(path_);
     lock_.acquire(path_);
@@ -72,8 +78,10 @@ ResultsDirectory::ResultsDirectory(const fs::path& path, const std::string& case
     }
     const Json known = read_json(marker(path_));
     if (known.value("case_hash", std::string()) != case_hash) {
-        throw DirectoryInUse(fmt::format("'{}' holds results of another case ('{}'); choose another directory with -o, or "
-                                         "move it aside with --fresh", path_.string(), known.value("name", "?")));
+        throw DirectoryInUse(fmt::format(
+            "'{}' holds results of another case ('{}'); choose another directory with -o, or "
+            "move it aside with --fresh",
+            path_.string(), known.value("name", "?")));
     }
 }
 

@@ -8,8 +8,8 @@ namespace tt {
 /// Go on with what a results directory holds, or move it aside and begin anew.
 enum class Start { resume, fresh };
 
-/// Held by one process at a time, until it is released or the process ends, however it ends: the kernel drops it, so that
-/// no stale lock can be left.
+/// Held by one process at a time, until it is released or the process ends, however it ends: the
+/// kernel drops it, so that no stale lock can be left.
 class DirectoryLock {
 public:
     DirectoryLock() = default;
@@ -25,13 +25,14 @@ private:
     int descriptor_ = -1;
 };
 
-/// A results directory that this process alone writes to, until the object ends. Nothing in it is ever overwritten by
-/// another case.
+/// A results directory that this process alone writes to, until the object ends. Nothing in it is
+/// ever overwritten by another case.
 class ResultsDirectory {
 public:
-    /// Makes the directory or takes over one of the same case (`case_hash`). With Start::fresh an existing one is first
-    /// renamed to `path.1`, `path.2`, … Throws DirectoryInUse if another process holds it, if it is of another case, or if
-    /// it is no results directory; IoError if it cannot be made.
+    /// Makes the directory or takes over one of the same case (`case_hash`). With Start::fresh an
+    /// existing one is first renamed to `path.1`, `path.2`, … Throws DirectoryInUse if another
+    /// process holds it, if it is of another case, or if it is no results directory; IoError if it
+    /// cannot be made.
     ResultsDirectory(const std::filesystem::path& path, const std::string& case_hash, Start start);
 
     const std::filesystem::path& path() const { return path_; }

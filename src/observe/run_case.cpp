@@ -97,14 +97,17 @@ CaseRun::CaseRun(const RunRequest& request, const Model& model, Exchange& exchan
       status_duty_(2.0),
       progress_duty_(progress_.interval()),
       checkpoint_duty_(request.checkpoint.si),
-      time_limit_(request.max_time ? request.max_time->si : std::numeric_limits<double>::infinity()) {
+      time_limit_(request.max_time ? request.max_time->si
+                                   : std::numeric_limits<double>::infinity()) {
     session_.started = utc_now();
     session_.ending = "running";
-    if (!results_.moved_to().empty()) say(fmt::format("moved the former results to '{}'", results_.moved_to().string()));
+    if (!results_.moved_to().empty())
+        say(fmt::format("moved the former results to '{}'", results_.moved_to().string()));
 }
 
 std::string CaseRun::case_hash() const {
-    return hexadecimal(checksum(request_.identity.empty() ? request_.resolved_toml : request_.identity));
+    return hexadecimal(
+        checksum(request_.identity.empty() ? request_.resolved_toml : request_.identity));
 }
 
 void CaseRun::say(const std::string& message) {
@@ -119,9 +122,10 @@ void CaseRun::add_observers() {
     const fs::path& path = results_.path();
     const auto tell = [this](const std::string& message) { say(message); };
     observers_.push_back(std::make_unique<Series>(series, path));
-    observers_.push_back(std::make_unique<ProfileAverage>(series, path, request_.average_from, model_));
     observers_.push_back(
-        std::make_unique<FrameRecorder>(frames, path, frames_header(model_, state_, request_.name), tell));
+        std::make_unique<ProfileAverage>(series, path, request_.average_from, model_));
+    observers_.push_back(std::make_unique<FrameRecorder>(
+        frames, path, frames_header(model_, state_, request_.name), tell));
 }
 
 void CaseRun::start(const std::function<State()>& initial) {
@@ -130,8 +134,9 @@ void CaseRun::start(const std::function<State()>& initial) {
     record("running");
     replace_file(results_.path() / "case.toml", request_.case_toml, Durability::power);
     replace_file(results_.path() / "resolved.toml", request_.resolved_toml, Durability::power);
-    say(fmt::format("'{}': {} steps on {} x {} sites, {} cells, {} threads", request_.name, steps_, model_.lattice.nx,
-                    model_.lattice.ny, state_.cells.cell_count(), model_.threads));
+    say(fmt::format("'{}': {} steps on {} x {} sites, {} cells, {} threads", request_.name, steps_,
+                    model_.lattice.nx, model_.lattice.ny, state_.cells.cell_count(),
+                    model_.threads));
     add_observers();
     for (const auto& observer : observers_) observer->start();
     health_.emplace(request_.limits, state_);
@@ -161,7 +166,8 @@ Standing CaseRun::standing() {
     now.wall_seconds = wall_seconds();
     now.steps_per_second = at_end() ? pace_->mean_rate(state_.step) : pace_->steps_per_second();
     now.mlups = now.steps_per_second * model_.lattice.nx * model_.lattice.ny * 1e-6;
-    now.seconds_left = at_end() ? 0.0 : static_cast<double>(steps_ - state_.step) / now.steps_per_second;
+    now.seconds_left =
+        at_end() ? 0.0 : static_cast<double>(steps_ - state_.step) / now.steps_per_second;
     now.lambda_C = mean_extension(state_.cells);
     now.checkpoint_step = checkpoints_.saved_step();
     now.cells = state_.cells.cell_count();
@@ -174,8 +180,8 @@ void CaseRun::record(const std::string& phase) {
     session_.to_step = state_.step;
     session_.wall_seconds = pace_->seconds();
     session_.ending = phase;
-    const Provenance provenance{request_.name, case_hash(), request_.case_toml, request_.resolved_toml,
-                                request_.command_line, model_.threads};
+    const Provenance provenance{request_.name,          case_hash(),           request_.case_toml,
+                                request_.resolved_toml, request_.command_line, model_.threads};
     write_provenance(results_.path(), provenance, session_, hexadecimal(state_hash(state_)));
     write_status(results_.path(), standing(), phase);
 }
@@ -209,8 +215,10 @@ void CaseRun::attend_to_duties() {
 void CaseRun::loop() {
     while (!at_end() && !stop_requested() && !time_limit_.due()) {
         std::int64_t until = steps_;
-        for (const auto& observer : observers_) until = std::min(until, observer->schedule().next_after(state_.step));
-        const auto wake = std::min({status_duty_.next(), progress_duty_.next(), checkpoint_duty_.next(), time_limit_.next()});
+        for (const auto& observer : observers_)
+            until = std::min(until, observer->schedule().next_after(state_.step));
+        const auto wake = std::min({status_duty_.next(), progress_duty_.next(),
+                                    checkpoint_duty_.next(), time_limit_.next()});
         run_steps(model_, state_, exchange_, *health_, until, wake);
         if (state_.step == until) observe();
         attend_to_duties();
@@ -230,25 +238,31 @@ void CaseRun::finish() {
     input.cell_steps_per_second = rate * state_.cells.cell_count();
     input.steps = steps_;
     input.threads = model_.threads;
-    write_json(results_.path() / "summary.json", summarise(results_.path(), input), Durability::power);
+    write_json(results_.path() / "summary.json", summarise(results_.path(), input),
+               Durability::power);
     record("done");
     say(fmt::format("done: {} steps in {:.1f} s of wall time", steps_, input.wall_seconds));
 }
 
-/// Leaves failure/ with the last good state, the one that failed, and why. Never masks the error it records.
+/// Leaves failure/ with the last good state, the one that failed, and why. Never masks the error it
+/// records.
 void CaseRun::record_failure(const SimulationError& error) {
     try {
         const fs::path folder = results_.path() / "failure";
         make_directory(folder);
         std::error_code code;
-        fs::copy_file(checkpoints_.current(), folder / "last_good", fs::copy_options::overwrite_existing, code);
+        fs::copy_file(checkpoints_.current(), folder / "last_good",
+                      fs::copy_options::overwrite_existing, code);
         ArchiveWriter archive(folder / "failing");
         archive.put_text("case", case_hash());
         save_state(archive, state_);
         archive.commit();
-        replace_file(folder / "why.txt", fmt::format("{}\n\nlast_good is the checkpoint of step {}; failing is the state of "
-                                                     "step {}, to look at only.\n", error.what(),
-                                                     checkpoints_.saved_step(), state_.step), Durability::power);
+        replace_file(
+            folder / "why.txt",
+            fmt::format("{}\n\nlast_good is the checkpoint of step {}; failing is the state of "
+                        "step {}, to look at only.\n",
+                        error.what(), checkpoints_.saved_step(), state_.step),
+            Durability::power);
         record("failed");
         say(error.what());
     } catch (const IoError& second) {
@@ -266,7 +280,8 @@ RunOutcome CaseRun::run(const std::function<State()>& initial) {
         if (const auto archive = checkpoints_.newest(tell)) {
             resume(*archive);
             if (was_done()) return outcome(RunOutcome::Ending::was_done);
-            fs::remove(results_.path() / "summary.json");  // of an earlier end, where the end was moved
+            fs::remove(results_.path() /
+                       "summary.json");  // of an earlier end, where the end was moved
             for (const auto& observer : observers_) observer->resume(*archive);
             record("running");
             say(fmt::format("resumed at step {} of {}", state_.step, steps_));
@@ -277,7 +292,8 @@ RunOutcome CaseRun::run(const std::function<State()>& initial) {
         if (checkpoints_.saved_step() != state_.step) save_checkpoint();
         if (!at_end()) {
             record("stopped");
-            say(fmt::format("stopped at step {} of {}; the same command resumes", state_.step, steps_));
+            say(fmt::format("stopped at step {} of {}; the same command resumes", state_.step,
+                            steps_));
             return outcome(RunOutcome::Ending::stopped);
         }
         finish();
@@ -290,8 +306,8 @@ RunOutcome CaseRun::run(const std::function<State()>& initial) {
 
 }  // namespace
 
-RunOutcome run_case(const RunRequest& request, const Model& model, const std::function<State()>& initial,
-                    Exchange& exchange) {
+RunOutcome run_case(const RunRequest& request, const Model& model,
+                    const std::function<State()>& initial, Exchange& exchange) {
     catch_stop_signals();
     return CaseRun(request, model, exchange).run(initial);
 }

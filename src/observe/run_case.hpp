@@ -19,15 +19,15 @@ namespace tt {
 struct RunRequest {
     std::filesystem::path directory;
     std::string name;
-    std::string case_toml;       ///< as given
-    std::string resolved_toml;   ///< every default and derived number
-    std::string identity;        ///< text of all that determines the state at a step; empty: resolved_toml
+    std::string case_toml;      ///< as given
+    std::string resolved_toml;  ///< every default and derived number
+    std::string identity;       ///< text of all that determines a state; empty: resolved_toml
     std::string command_line;
     Time end;
-    Time average_from;           ///< start of the averaging window, which ends with the run
-    Time series, frames;         ///< intervals
-    Time checkpoint{300.0};      ///< wall clock
-    std::optional<Time> max_time;///< wall clock of this session
+    Time average_from;             ///< start of the averaging window, which ends with the run
+    Time series, frames;           ///< intervals
+    Time checkpoint{300.0};        ///< wall clock
+    std::optional<Time> max_time;  ///< wall clock of this session
     ProgressMode progress = ProgressMode::automatic;
     Start start = Start::resume;
     HealthLimits limits;
@@ -40,13 +40,14 @@ struct RunOutcome {
     std::int64_t step = 0;
     std::int64_t steps = 0;
     std::uint64_t state_hash = 0;
-    double wall_seconds = 0.0;   ///< all sessions together
+    double wall_seconds = 0.0;  ///< all sessions together
 };
 
-/// Runs the case into its results directory, or goes on with it, until its end, a signal or the time limit; leaves the
-/// directory such that the same call goes on, to the same bits as if it had never stopped. `initial` is called only for a run
-/// that starts. Throws SimulationError (last good state in failure/), DirectoryInUse, IoError.
-RunOutcome run_case(const RunRequest& request, const Model& model, const std::function<State()>& initial,
-                    Exchange& exchange);
+/// Runs the case into its results directory, or goes on with it, until its end, a signal or the
+/// time limit; leaves the directory such that the same call goes on, to the same bits as if it had
+/// never stopped. `initial` is called only for a run that starts. Throws SimulationError (last good
+/// state in failure/), DirectoryInUse, IoError.
+RunOutcome run_case(const RunRequest& request, const Model& model,
+                    const std::function<State()>& initial, Exchange& exchange);
 
 }  // namespace tt

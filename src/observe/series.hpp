@@ -9,8 +9,9 @@
 
 namespace tt {
 
-/// series.csv, one row of RunMeasures a look, and cells.csv, one row of CellMeasures a cell and look. Integrates the
-/// tank-treading phase of each cell from its rate by the trapezoidal rule over the looks.
+/// series.csv, one row of RunMeasures a look, and cells.csv, one row of CellMeasures a cell and
+/// look. Integrates the tank-treading phase of each cell from its rate by the trapezoidal rule over
+/// the looks.
 class Series : public Observer {
 public:
     Series(const Schedule& schedule, const std::filesystem::path& directory);

@@ -9,7 +9,8 @@
 
 namespace tt {
 
-/// A read-only look at one step for observers. Measures are taken when first asked for and shared by all who ask.
+/// A read-only look at one step for observers. Measures are taken when first asked for and shared
+/// by all who ask.
 class Snapshot {
 public:
     Snapshot(const Model& model, const State& state) : model_(model), state_(state) {}

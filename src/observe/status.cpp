@@ -20,8 +20,10 @@ std::string utc_now() {
     return text;
 }
 
-void write_status(const std::filesystem::path& results, const Standing& s, const std::string& phase) {
-    const double percent = s.steps > 0 ? 100.0 * static_cast<double>(s.step) / static_cast<double>(s.steps) : 100.0;
+void write_status(const std::filesystem::path& results, const Standing& s,
+                  const std::string& phase) {
+    const double percent =
+        s.steps > 0 ? 100.0 * static_cast<double>(s.step) / static_cast<double>(s.steps) : 100.0;
     const Json status{{"name", s.name},
                       {"status", phase},
                       {"percent", percent},
@@ -44,7 +46,8 @@ void write_status(const std::filesystem::path& results, const Standing& s, const
 
 Json read_status(const std::filesystem::path& results) {
     Json status = read_json(results / "status.json");
-    if (status.value("status", std::string()) == "running" && !is_running(results)) status["status"] = "interrupted";
+    if (status.value("status", std::string()) == "running" && !is_running(results))
+        status["status"] = "interrupted";
     return status;
 }
 
@@ -60,9 +63,11 @@ std::string describe_status(const Json& status) {
     s.lambda_C = status.value("lambda_C", s.lambda_C);
     s.seconds_left = status.value("seconds_left", s.seconds_left);
     const std::string phase = status.value("status", "unknown");
-    std::string text = fmt::format("{}: {}\n{}\n", status.value("name", "?"), phase, progress_line(s));
+    std::string text =
+        fmt::format("{}: {}\n{}\n", status.value("name", "?"), phase, progress_line(s));
     if (phase == "interrupted" || phase == "stopped") {
-        text += fmt::format("run again to resume from step {}\n", status.value("checkpoint_step", std::int64_t{-1}));
+        text += fmt::format("run again to resume from step {}\n",
+                            status.value("checkpoint_step", std::int64_t{-1}));
     }
     return text;
 }

@@ -9,10 +9,11 @@
 namespace tt {
 
 /// Replaces status.json. `phase` is running, stopped, done or failed.
-void write_status(const std::filesystem::path& results, const Standing& standing, const std::string& phase);
+void write_status(const std::filesystem::path& results, const Standing& standing,
+                  const std::string& phase);
 
-/// What status.json says; a run that says `running` but holds no lock was killed and reads `interrupted`. IoError if the
-/// directory has none.
+/// What status.json says; a run that says `running` but holds no lock was killed and reads
+/// `interrupted`. IoError if the directory has none.
 Json read_status(const std::filesystem::path& results);
 
 /// The same for people, a few lines.

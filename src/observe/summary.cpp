@@ -13,7 +13,8 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Mean and spread of the numbers that are numbers: a measure that is not defined at some look is left out there.
+/// Mean and spread of the numbers that are numbers: a measure that is not defined at some look is
+/// left out there.
 struct Sample {
     std::vector<double> values;
 
@@ -34,15 +35,19 @@ struct Sample {
         for (const double value : values) sum += (value - centre) * (value - centre);
         return std::sqrt(sum / static_cast<double>(values.size() - 1));
     }
-    double smallest() const { return values.empty() ? none : *std::min_element(values.begin(), values.end()); }
-    double largest() const { return values.empty() ? none : *std::max_element(values.begin(), values.end()); }
+    double smallest() const {
+        return values.empty() ? none : *std::min_element(values.begin(), values.end());
+    }
+    double largest() const {
+        return values.empty() ? none : *std::max_element(values.begin(), values.end());
+    }
 };
 
 /// NaN is not JSON.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json quantity(const Sample& all, const Sample& over_time, const Sample* over_cells, const SummaryInput& input,
-              const std::string& unit) {
+Json quantity(const Sample& all, const Sample& over_time, const Sample* over_cells,
+              const SummaryInput& input, const std::string& unit) {
     return Json{{"mean", number(all.mean())},
                 {"sd_time", number(over_time.deviation())},
                 {"sd_cells", over_cells ? number(over_cells->deviation()) : Json(nullptr)},
@@ -117,13 +122,15 @@ Json summarise(const std::filesystem::path& results, const SummaryInput& input) 
     const Table series = read_csv(results / "series.csv");
     const Table cells = read_csv(results / "cells.csv");
     Json summary;
-    for (const char* name : {"taylor_inertia", "taylor_extent", "inclination_deg", "strain", "lambda_C"}) {
+    for (const char* name :
+         {"taylor_inertia", "taylor_extent", "inclination_deg", "strain", "lambda_C"}) {
         summary[name] = of_cells(cells, name, input);
     }
     summary["tank_treading_kT"] = tank_treading(cells, input);
-    for (const char* name : {"area_error_max", "mean_velocity", "pseudo_shear_rate", "flux", "pressure_gradient", "mu_app",
-                             "mu_rel", "cfl_gap", "cfl_envelope", "cfl_profile", "cfl_core", "hematocrit_tube",
-                             "hematocrit_discharge", "mach", "smallest_gap", "overlaps", "repulsion_count"}) {
+    for (const char* name : {"area_error_max", "mean_velocity", "pseudo_shear_rate", "flux",
+                             "pressure_gradient", "mu_app", "mu_rel", "cfl_gap", "cfl_envelope",
+                             "cfl_profile", "cfl_core", "hematocrit_tube", "hematocrit_discharge",
+                             "mach", "smallest_gap", "overlaps", "repulsion_count"}) {
         summary[name] = of_run(series, name, input);
     }
     summary["shear_number"] = input.shear_number ? number(*input.shear_number) : Json(nullptr);

@@ -10,9 +10,9 @@ namespace tt {
 
 /// What summary.json needs beside series.csv and cells.csv.
 struct SummaryInput {
-    Time average_from, average_to;         ///< the averaging window
-    Rate shear_rate;                       ///< nominal k
-    std::optional<double> shear_number;    ///< G (Eq. 19), null where it has no meaning
+    Time average_from, average_to;       ///< the averaging window
+    Rate shear_rate;                     ///< nominal k
+    std::optional<double> shear_number;  ///< G (Eq. 19), null where it has no meaning
     double wall_seconds = 0.0;
     double mlups = 0.0;
     double cell_steps_per_second = 0.0;
@@ -20,10 +20,12 @@ struct SummaryInput {
     int threads = 1;
 };
 
-/// What a paper would quote, from the tables alone, so that stopping and resuming changes nothing. Each quantity is
-/// {mean, sd_time, sd_cells, min, max, window, unit}: mean over the window; sd_time the standard deviation over its looks (of
-/// the mean over cells, for a quantity of cells); sd_cells that over cells of the cells' time means, null for a quantity of
-/// the whole run; min and max over all looks and cells in the window. tank_treading_kT = k · 2π / |mean phase rate| per cell.
+/// What a paper would quote, from the tables alone, so that stopping and resuming changes nothing.
+/// Each quantity is {mean, sd_time, sd_cells, min, max, window, unit}: mean over the window;
+/// sd_time the standard deviation over its looks (of the mean over cells, for a quantity of cells);
+/// sd_cells that over cells of the cells' time means, null for a quantity of the whole run; min and
+/// max over all looks and cells in the window. tank_treading_kT = k · 2π / |mean phase rate| per
+/// cell.
 Json summarise(const std::filesystem::path& results, const SummaryInput& input);
 
 }  // namespace tt

@@ -14,7 +14,8 @@
 namespace tt {
 namespace {
 
-const char* const smaller_step = "a smaller dt (or a lower density_scale), a finer node spacing, or a softer membrane";
+const char* const smaller_step =
+    "a smaller dt (or a lower density_scale), a finer node spacing, or a softer membrane";
 
 int cell_of(const Suspension& cells, int node) {
     const auto after = std::upper_bound(cells.first.begin(), cells.first.end(), node);
@@ -60,7 +61,8 @@ std::optional<Instability> node_places(const Model& model, const State& state) {
         if (known && (!model.lattice.walls || (y > 0.0 && y < height))) continue;
         const bool in_x = !(std::abs(x) < farthest);
         const double limit = !known ? farthest : y > 0.0 ? height : 0.0;
-        Instability what = fault_at_node(model, state, n, {in_x ? "node x" : "node y", in_x ? x : y, limit, "sites"});
+        Instability what = fault_at_node(
+            model, state, n, {in_x ? "node x" : "node y", in_x ? x : y, limit, "sites"});
         what.cause = known ? "a node went through a wall" : "a force or a velocity overflowed";
         what.cure = smaller_step;
         return what;
@@ -81,8 +83,8 @@ std::optional<Instability> speeds(const Model& model, const State& state, double
         int i = 0;
         while (!too_fast(i)) ++i;
         const double value = std::sqrt((ux[i] * ux[i] + uy[i] * uy[i]) / d2q9::sound_speed_squared);
-        Instability what =
-            fault(model, state, {fmt::format("Mach number at site ({}, {})", i, j), value, mach, ""});
+        Instability what = fault(
+            model, state, {fmt::format("Mach number at site ({}, {})", i, j), value, mach, ""});
         what.cause = "the flow is too fast for the time step, or a membrane force has blown up";
         what.cure = "a smaller dt (or a lower density_scale) or a slower flow";
         return what;
@@ -95,7 +97,8 @@ std::optional<Instability> areas(const Model& model, const State& state, double 
     for (int c = 0; c < cells.cell_count(); ++c) {
         const double error = signed_area(outline(cells, c)) / cells.reference_area[c] - 1.0;
         if (std::abs(error) < limit) continue;
-        const char* const quantity = error <= -1.0 ? "area error (the outline is inside out)" : "area error";
+        const char* const quantity =
+            error <= -1.0 ? "area error (the outline is inside out)" : "area error";
         Instability what = fault(model, state, {quantity, 100.0 * error, 100.0 * limit, "%"});
         what.cell = c;
         what.cause = "the membrane leaks or the cell collapsed";
@@ -110,9 +113,11 @@ std::optional<Instability> crossings(const Model& model, const State& state) {
     for (int c = 0; c < cells.cell_count(); ++c) {
         const auto crossing = self_crossing(outline(cells, c));
         if (!crossing) continue;
-        const std::string quantity = fmt::format("crossings of segment {} with segment {} of the same cell",
-                                                 crossing->first, crossing->second);
-        Instability what = fault_at_node(model, state, cells.first[c] + crossing->first, {quantity, 1.0, 0.0, ""});
+        const std::string quantity =
+            fmt::format("crossings of segment {} with segment {} of the same cell", crossing->first,
+                        crossing->second);
+        Instability what =
+            fault_at_node(model, state, cells.first[c] + crossing->first, {quantity, 1.0, 0.0, ""});
         what.cause = "the membrane folded onto itself";
         what.cure = "a finer node spacing, a larger bending_modulus, or a smaller dt";
         return what;
@@ -123,7 +128,9 @@ std::optional<Instability> crossings(const Model& model, const State& state) {
 }  // namespace
 
 Health::Health(const HealthLimits& limits, const State& state)
-    : limits_(limits), x_(state.cells.x), y_(state.cells.y) {}
+    : limits_(limits),
+      x_(state.cells.x),
+      y_(state.cells.y) {}
 
 std::optional<Instability> Health::node_steps(const Model& model, const State& state) {
     const Suspension& cells = state.cells;
@@ -134,9 +141,11 @@ std::optional<Instability> Health::node_steps(const Model& model, const State& s
         const double dy = cells.y[n] - y_[n];
         const double way = dx * dx + dy * dy;
         if (!(way < limit) && !found) {
-            found = fault_at_node(model, state, n,
-                                  {"way of a node in one step", std::sqrt(way), limits_.node_step, "sites"});
-            found->cause = "membrane forces too stiff for the time step, or nodes too close together";
+            found = fault_at_node(
+                model, state, n,
+                {"way of a node in one step", std::sqrt(way), limits_.node_step, "sites"});
+            found->cause =
+                "membrane forces too stiff for the time step, or nodes too close together";
             found->cure = smaller_step;
         }
         x_[n] = cells.x[n];

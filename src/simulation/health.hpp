@@ -9,26 +9,31 @@
 
 namespace tt {
 
-/// Beyond these a run has left what it can compute. They notice a blow-up; accuracy is a matter of `check`.
+/// Beyond these a run has left what it can compute. They notice a blow-up; accuracy is a matter of
+/// `check`.
 struct HealthLimits {
-    double node_step = 0.5;    ///< largest way of a node in one step [sites]: beyond, explicit coupling overshoots
+    double node_step =
+        0.5;  ///< largest way of a node in one step [sites]: beyond, explicit coupling overshoots
     double mach = 0.5;         ///< largest speed / speed of sound
     double area_error = 0.05;  ///< largest |A / A_ref − 1| of a cell
     int interval = 100;        ///< steps between the costly checks
 };
 
-/// Watches a run. Comparisons are written so that a NaN fails them, and come before any position is made an index.
+/// Watches a run. Comparisons are written so that a NaN fails them, and come before any position is
+/// made an index.
 class Health {
 public:
     /// Starts from the positions in `state`.
     Health(const HealthLimits& limits, const State& state);
 
-    /// To be called after every step. Cheap: way of each node since the last call, and its place between the walls;
-    /// every `interval` steps everything that `examine` looks at. What is wrong, or nothing.
+    /// To be called after every step. Cheap: way of each node since the last call, and its place
+    /// between the walls; every `interval` steps everything that `examine` looks at. What is wrong,
+    /// or nothing.
     std::optional<Instability> after_step(const Model& model, const State& state);
 
-    /// All checks but the node step: node places, speed at every site, area and orientation of every cell, outlines that
-    /// cross themselves. To be called before a state is written over a good one.
+    /// All checks but the node step: node places, speed at every site, area and orientation of
+    /// every cell, outlines that cross themselves. To be called before a state is written over a
+    /// good one.
     std::optional<Instability> examine(const Model& model, const State& state) const;
 
 private:

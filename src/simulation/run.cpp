@@ -9,13 +9,14 @@
 
 namespace tt {
 
-void run_steps(const Model& model, State& state, Exchange& exchange, Health& health, std::int64_t until,
-               Clock::time_point wake) {
+void run_steps(const Model& model, State& state, Exchange& exchange, Health& health,
+               std::int64_t until, Clock::time_point wake) {
     TT_EXPECTS(state.step < until);
     std::optional<Instability> fault;
     bool more = true;
     with_team(model.threads, [&] {
-        // `more` changes only between the two barriers of on_one_thread and advance, so all threads read the same.
+        // `more` changes only between the two barriers of on_one_thread and advance, so all threads
+        // read the same.
         while (more) {
             advance(model, state, exchange);
             on_one_thread([&] {

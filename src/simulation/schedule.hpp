@@ -6,12 +6,14 @@
 
 namespace tt {
 
-/// When something is due, in steps: the n-th time is the step nearest to n · interval, with the interval a real number
-/// of steps. A function of the step alone, so it neither drifts nor changes across a restart.
+/// When something is due, in steps: the n-th time is the step nearest to n · interval, with the
+/// interval a real number of steps. A function of the step alone, so it neither drifts nor changes
+/// across a restart.
 class Schedule {
 public:
     Schedule() = default;
-    /// Every `interval` seconds of a run with time step `dt` [s]; an interval below one step means every step.
+    /// Every `interval` seconds of a run with time step `dt` [s]; an interval below one step means
+    /// every step.
     Schedule(double interval, double dt) : steps_(std::max(1.0, interval / dt)) {}
 
     bool due(std::int64_t step) const { return nth(nearest(step)) == step; }
@@ -28,12 +30,15 @@ public:
 
 private:
     std::int64_t nth(std::int64_t n) const { return std::llround(static_cast<double>(n) * steps_); }
-    std::int64_t nearest(std::int64_t step) const { return std::llround(static_cast<double>(step) / steps_); }
+    std::int64_t nearest(std::int64_t step) const {
+        return std::llround(static_cast<double>(step) / steps_);
+    }
 
     double steps_ = 1.0;
 };
 
-/// The number of steps that reaches `end` seconds: the smallest with steps · dt ≥ end but for rounding.
+/// The number of steps that reaches `end` seconds: the smallest with steps · dt ≥ end but for
+/// rounding.
 inline std::int64_t steps_until(double end, double dt) {
     return static_cast<std::int64_t>(std::ceil(end / dt * (1.0 - 1e-12)));
 }

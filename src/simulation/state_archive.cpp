@@ -11,7 +11,8 @@
 namespace tt {
 namespace {
 
-/// Calls visit(name, array) for every array but the populations: the one list that save, load and hash go by.
+/// Calls visit(name, array) for every array but the populations: the one list that save, load and
+/// hash go by.
 template <class S, class Visit>
 void for_each_array(S& state, Visit&& visit) {
     auto& cells = state.cells;
@@ -57,7 +58,9 @@ std::vector<double> sites(const Populations& populations, int i) {
     return plane;
 }
 
-[[noreturn]] void refuse(const char* why) { throw DamagedArchive(fmt::format("the checkpoint cannot be loaded: {}", why)); }
+[[noreturn]] void refuse(const char* why) {
+    throw DamagedArchive(fmt::format("the checkpoint cannot be loaded: {}", why));
+}
 
 void load_populations(const ArchiveReader& archive, const Lattice& lattice, Exchange& exchange,
                       Populations& populations) {
@@ -69,7 +72,8 @@ void load_populations(const ArchiveReader& archive, const Lattice& lattice, Exch
         const auto plane = archive.take<double>(plane_name(i));
         if (plane.size() != nx * lattice.ny) refuse("it is of another lattice");
         for (int j = 0; j < lattice.ny; ++j) {
-            std::copy_n(plane.begin() + static_cast<std::ptrdiff_t>(nx * j), nx, populations.row(i, j));
+            std::copy_n(plane.begin() + static_cast<std::ptrdiff_t>(nx * j), nx,
+                        populations.row(i, j));
         }
     }
     if (odd) exchange.fill(populations);  // as `settle` left it
@@ -82,13 +86,14 @@ void expect_sound(const State& state) {
         if (cells.first[c] <= cells.first[c - 1]) refuse("its list of cells is wrong");
     }
     const auto nodes = static_cast<std::size_t>(cells.node_count());
-    for (const auto* per_node : {&cells.x, &cells.y, &cells.fx, &cells.fy, &cells.ux, &cells.uy,
-                                 &cells.rest_curvature, &cells.rest_length, &state.interior.x, &state.interior.y}) {
+    for (const auto* per_node :
+         {&cells.x, &cells.y, &cells.fx, &cells.fy, &cells.ux, &cells.uy, &cells.rest_curvature,
+          &cells.rest_length, &state.interior.x, &state.interior.y}) {
         if (per_node->size() != nodes) refuse("an array is not of one number per node");
     }
     const auto count = static_cast<std::size_t>(cells.cell_count());
-    for (const auto* per_cell : {&cells.reference_area, &cells.reference_perimeter, &cells.alpha, &cells.area,
-                                 &cells.perimeter}) {
+    for (const auto* per_cell : {&cells.reference_area, &cells.reference_perimeter, &cells.alpha,
+                                 &cells.area, &cells.perimeter}) {
         if (per_cell->size() != count) refuse("an array is not of one number per cell");
     }
 }
@@ -98,7 +103,8 @@ void expect_sound(const State& state) {
 void save_state(ArchiveWriter& archive, const State& state) {
     for_each_number(state, [&](const char* name, auto value) { archive.put_value(name, value); });
     for_each_array(state, [&](const char* name, const auto& values) { archive.put(name, values); });
-    archive.put_value<std::int64_t>("populations.odd", state.populations.phase == Populations::Phase::odd);
+    archive.put_value<std::int64_t>("populations.odd",
+                                    state.populations.phase == Populations::Phase::odd);
     for (int i = 0; i < d2q9::count; ++i) archive.put(plane_name(i), sites(state.populations, i));
 }
 
@@ -113,7 +119,8 @@ State load_state(const ArchiveReader& archive, const Model& model, Exchange& exc
     expect_sound(state);
     size_derived(state.cells);
     load_populations(archive, model.lattice, exchange, state.populations);
-    // `derive` lays the cytoplasm where the nodes are now; the run goes on from where it was last laid.
+    // `derive` lays the cytoplasm where the nodes are now; the run goes on from where it was last
+    // laid.
     const std::vector<double> x = state.interior.x;
     const std::vector<double> y = state.interior.y;
     derive(model, state);

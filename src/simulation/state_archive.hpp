@@ -9,15 +9,17 @@
 
 namespace tt {
 
-/// Puts all of the State that is not derived: step, populations (sites only, no halo), cells, drive, contact
-/// counters, and where the cytoplasm was last laid.
+/// Puts all of the State that is not derived: step, populations (sites only, no halo), cells,
+/// drive, contact counters, and where the cytoplasm was last laid.
 void save_state(ArchiveWriter& archive, const State& state);
 
-/// The state that `save_state` put, for the same model: 100 steps, save, load and 100 steps are 200 steps to the bit
-/// (tests/determinism/restart.cpp). DamagedArchive if its sizes are not those of `model` or contradict each other.
+/// The state that `save_state` put, for the same model: 100 steps, save, load and 100 steps are 200
+/// steps to the bit (tests/determinism/restart.cpp). DamagedArchive if its sizes are not those of
+/// `model` or contradict each other.
 State load_state(const ArchiveReader& archive, const Model& model, Exchange& exchange);
 
-/// XXH64 of what `save_state` puts: equal for equal states, on any number of threads, before and after a restart.
+/// XXH64 of what `save_state` puts: equal for equal states, on any number of threads, before and
+/// after a restart.
 std::uint64_t state_hash(const State& state);
 
 }  // namespace tt

@@ -2,8 +2,9 @@
 
 namespace tt {
 
-/// From now on INT, TERM and USR2 only ask the run to stop; a second one ends the process at once, as without us. Writing
-/// past a file-size limit becomes an error that we report, instead of a signal that kills.
+/// From now on INT, TERM and USR2 only ask the run to stop; a second one ends the process at once,
+/// as without us. Writing past a file-size limit becomes an error that we report, instead of a
+/// signal that kills.
 void catch_stop_signals();
 
 /// Has a signal asked to stop?

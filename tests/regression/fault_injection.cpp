@@ -16,12 +16,15 @@
 namespace tt {
 namespace {
 
-/// Lets a run go wrong at a step of one's choice: the exchange is the one thing that a step calls and that is ours to give.
+/// Lets a run go wrong at a step of one's choice: the exchange is the one thing that a step calls
+/// and that is ours to give.
 class FaultyExchange : public Periodic {
 public:
     using Fault = std::function<void(State&)>;
     FaultyExchange(State& state, std::int64_t step, Fault fault)
-        : state_(state), step_(step), fault_(std::move(fault)) {}
+        : state_(state),
+          step_(step),
+          fault_(std::move(fault)) {}
 
     using Periodic::fill;
     using Periodic::fold;
@@ -47,7 +50,8 @@ std::int64_t steps_until_noticed(FaultyExchange::Fault fault) {
     constexpr std::int64_t when = 131;
     FaultyExchange exchange(state, when, std::move(fault));
     try {
-        run_steps(model, state, exchange, health, when + 300, Clock::now() + std::chrono::seconds(60));
+        run_steps(model, state, exchange, health, when + 300,
+                  Clock::now() + std::chrono::seconds(60));
     } catch (const SimulationError& error) {
         EXPECT_GE(error.instability().step, when);
         return error.instability().step - when;
@@ -116,7 +120,8 @@ TEST_F(FailingRun, keeps_the_last_good_state_and_says_why) {
     EXPECT_NE(read_file(path("run") / "status.json").find("\"failed\""), std::string::npos);
 
     Periodic exchange;
-    const State good = load_state(ArchiveReader(path("run") / "checkpoint/current"), model, exchange);
+    const State good =
+        load_state(ArchiveReader(path("run") / "checkpoint/current"), model, exchange);
     EXPECT_FALSE(Health(request.limits, good).examine(model, good).has_value());
 }
 

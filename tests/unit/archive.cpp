@@ -37,7 +37,8 @@ TEST_F(Archive, no_flipped_bit_goes_unnoticed) {
             std::string damaged = whole;
             damaged[at] = static_cast<char>(damaged[at] ^ (1 << bit));
             replace_file(path("b"), damaged, Durability::process);
-            ASSERT_THROW(ArchiveReader{path("b")}, DamagedArchive) << "byte " << at << " bit " << bit;
+            ASSERT_THROW(ArchiveReader{path("b")}, DamagedArchive)
+                << "byte " << at << " bit " << bit;
         }
     }
 }

@@ -97,21 +97,25 @@ TEST_F(Frames, a_damaged_file_is_an_error_and_no_crash) {
 
 TEST_F(Frames, are_what_h5py_expects) {
     const std::string python = "/usr/bin/python3";
-    if (std::system((python + " -c 'import h5py' 2>/dev/null").c_str()) != 0) GTEST_SKIP() << "no h5py";
+    if (std::system((python + " -c 'import h5py' 2>/dev/null").c_str()) != 0)
+        GTEST_SKIP() << "no h5py";
     FramesWriter writer(directory(), header(), 0);
     writer.write(frame(0));
     writer.write(frame(1));
     const std::string script =
         "import h5py, sys\n"
         "with h5py.File(sys.argv[1], 'r') as f:\n"
-        "    assert f.attrs['name'] == 'two cells' and f.attrs['nx'] == 4 and list(f.attrs['lengths']) == [8e-7, 6e-7]\n"
+        "    assert f.attrs['name'] == 'two cells' and f.attrs['nx'] == 4 and "
+        "list(f.attrs['lengths']) == [8e-7, 6e-7]\n"
         "    assert list(f['first']) == [0, 2, 5] and sorted(f['frames']) == ['000000', '000001']\n"
         "    g = f['frames/000001']\n"
-        "    assert g.attrs['time'] == 1e-3 and g.attrs['step'] == 1000 and g['nodes'].attrs['unit'] == 'm'\n"
+        "    assert g.attrs['time'] == 1e-3 and g.attrs['step'] == 1000 and "
+        "g['nodes'].attrs['unit'] == 'm'\n"
         "    assert g['nodes'].shape == (5, 2) and g['nodes'][4, 1] == 11.0\n"
         "    assert g['velocity'].shape == (3, 4, 2) and g['velocity'].dtype == 'float32'\n";
     replace_file(path("read.py"), script, Durability::process);
-    const std::string read = python + " " + path("read.py").string() + " " + path("frames.h5").string();
+    const std::string read =
+        python + " " + path("read.py").string() + " " + path("frames.h5").string();
     EXPECT_EQ(std::system(read.c_str()), 0);
     writer.merge();
     EXPECT_EQ(std::system(read.c_str()), 0);

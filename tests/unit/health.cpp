@@ -73,7 +73,8 @@ TEST_F(HealthGuards, see_speed_and_nan_at_a_single_site) {
 
 TEST_F(HealthGuards, see_a_cell_that_lost_area_and_one_inside_out) {
     Suspension& cells = state.cells;
-    for (int n = cells.first[1]; n < cells.first[2]; ++n) cells.y[n] = 12.0 + 0.94 * (cells.y[n] - 12.0);
+    for (int n = cells.first[1]; n < cells.first[2]; ++n)
+        cells.y[n] = 12.0 + 0.94 * (cells.y[n] - 12.0);
     const auto fault = health.examine(model, state);
     ASSERT_TRUE(fault.has_value());
     EXPECT_EQ(fault->cell, 1);

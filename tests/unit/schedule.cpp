@@ -20,7 +20,8 @@ TEST(Schedule, the_next_due_step_does_not_depend_on_where_one_asks) {
             const std::int64_t next = schedule.next_after(step);
             ASSERT_GT(next, step);
             ASSERT_TRUE(schedule.due(next)) << interval << ' ' << step;
-            for (std::int64_t between = step + 1; between < next; ++between) ASSERT_FALSE(schedule.due(between));
+            for (std::int64_t between = step + 1; between < next; ++between)
+                ASSERT_FALSE(schedule.due(between));
         }
     }
 }

@@ -17,7 +17,8 @@ using Tables = TemporaryDirectory;
 
 TEST_F(Tables, every_column_names_its_unit) {
     const std::string header = csv_header<RunMeasures>();
-    EXPECT_EQ(header.rfind("time [s],step,mean_velocity [m/s],pseudo_shear_rate [/s],", 0), 0u) << header;
+    EXPECT_EQ(header.rfind("time [s],step,mean_velocity [m/s],pseudo_shear_rate [/s],", 0), 0u)
+        << header;
     EXPECT_NE(header.find(",mu_app [Pa s],mu_rel,"), std::string::npos) << header;
 }
 
@@ -28,7 +29,8 @@ TEST_F(Tables, numbers_read_back_to_the_same_bits) {
     row.phase = -std::numeric_limits<double>::denorm_min();
     row.area = Area{std::nextafter(5e-11, 1.0)};
     row.stretch_min = std::nan("");
-    OutputFile(path("cells.csv"), OutputFile::Mode::create).append(csv_header<CellMeasures>() + csv_row(row));
+    OutputFile(path("cells.csv"), OutputFile::Mode::create)
+        .append(csv_header<CellMeasures>() + csv_row(row));
     const Table table = read_csv(path("cells.csv"));
     ASSERT_EQ(table.rows(), 1u);
     EXPECT_EQ(table.column("time")[0], row.time.si);

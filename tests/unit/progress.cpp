@@ -1,0 +1,63 @@
+#include "observe/progress.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "io/json.hpp"
+
+namespace tt {
+namespace {
+
+Standing standing() {
+    Standing s;
+    s.name = "channel";
+    s.step = 421;
+    s.steps = 1000;
+    s.time = 0.03368;
+    s.end = 0.08;
+    s.steps_per_second = 1234.4;
+    s.mlups = 58.23;
+    s.seconds_left = 192.4;
+    s.lambda_C = 1.0861;
+    s.cells = 12;
+    return s;
+}
+
+/// Columns on a terminal: bytes of UTF-8 but for those that continue a letter.
+int columns(const std::string& text) {
+    int count = 0;
+    for (const char c : text) count += (static_cast<unsigned char>(c) & 0xc0) != 0x80 ? 1 : 0;
+    return count;
+}
+
+TEST(ProgressLine, says_how_far_how_fast_and_how_long) {
+    EXPECT_EQ(progress_line(standing()),
+              " 42.1 %  33.68/80 ms  1.23e+03 steps/s  58.2 MLUPS  λ_C 1.086  3:12 left");
+}
+
+TEST(ProgressLine, fits_eighty_columns_whatever_the_numbers) {
+    Standing s = standing();
+    for (const double rate : {0.0, 1e-3, 123456.0, 1e12}) {
+        for (const double left : {0.0, 1e4, 1e9, std::numeric_limits<double>::infinity()}) {
+            s.steps_per_second = rate;
+            s.mlups = rate;
+            s.seconds_left = left;
+            s.time = 1.2345678;
+            s.end = 12.345678;
+            s.lambda_C = 2.68812;
+            EXPECT_LT(columns(progress_line(s)), 80) << progress_line(s);
+        }
+    }
+}
+
+TEST(ProgressLine, is_valid_json_even_before_the_first_step) {
+    Standing s = standing();
+    s.seconds_left = std::numeric_limits<double>::infinity();
+    const Json line = Json::parse(progress_json(s));
+    EXPECT_EQ(line["step"], 421);
+    EXPECT_TRUE(line["seconds_left"].is_null());
+}
+
+}  // namespace
+}  // namespace tt
