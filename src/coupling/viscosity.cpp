@@ -1,11 +1,14 @@
 #include "coupling/viscosity.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "base/contracts.hpp"
 #include "base/isa.hpp"
+#include "base/lesser.hpp"
 #include "base/parallel.hpp"
 
 namespace tt {
@@ -23,9 +26,10 @@ template <class Mean, class Rule>
 TT_INLINE void set_rates(const Mean& mean, const Rule& collision, double plain, double cytoplasm,
                          const double* fraction, int count, double* even, double* odd) {
     for (int k = 0; k < count; ++k) {
-        const double f = std::min(1.0, std::max(0.0, fraction[k]));
-        even[k] = even_rate(mean(plain, cytoplasm, f));
-        odd[k] = collision.odd_rate(even[k]);
+        const double f = lesser(1.0, greater(0.0, fraction[k]));
+        const Rates rates = collision.rates(mean(plain, cytoplasm, f));
+        even[k] = rates.even;
+        odd[k] = rates.odd;
     }
 }
 
@@ -34,9 +38,10 @@ template <class Mean, class Rule>
 TT_INLINE void change_block(const Mean& mean, const Rule& collision, double plain, double cytoplasm,
                             const double* now, const double* before, int count, double* fraction, double* even,
                             double* odd) {
-    double largest = 0.0;
-    for (int k = 0; k < count; ++k) largest = std::max(largest, std::abs(now[k] - before[k]));
-    if (largest == 0.0) return;
+    std::uint64_t differ = 0;
+    for (int k = 0; k < count; ++k)
+        differ |= std::bit_cast<std::uint64_t>(now[k]) ^ std::bit_cast<std::uint64_t>(before[k]);
+    if (differ == 0) return;
     for (int k = 0; k < count; ++k) fraction[k] += now[k] - before[k];
     set_rates(mean, collision, plain, cytoplasm, fraction, count, even, odd);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/isa.hpp"
+#include "base/lesser.hpp"
 
 namespace tt {
 namespace {
@@ -19,8 +20,8 @@ TT_INLINE void measure_window(const double* x, const double* y, Vec2 point, doub
         const double ey = y[k + 1] - y[k];
         const double length2 = ex * ex + ey * ey;
         // Two nodes on one spot make a segment of no length: any place on it will do.
-        const double place = -(ax * ex + ay * ey) / std::max(length2, 1e-300);
-        const double t = segments_count * std::min(1.0, std::max(0.0, place));
+        const double place = -(ax * ex + ay * ey) / greater(length2, 1e-300);
+        const double t = segments_count * lesser(1.0, greater(0.0, place));
         const double dx = ax + t * ex;
         const double dy = ay + t * ey;
         distance2[k] = dx * dx + dy * dy;
@@ -33,7 +34,7 @@ TT_CLONES NearestPoint nearest_of(const double* x, const double* y, Vec2 point, 
     double along[window];
     measure_window(x, y, point, segments_count, distance2, along);
     double smallest = distance2[0];
-    for (int k = 1; k < window; ++k) smallest = std::min(smallest, distance2[k]);
+    for (int k = 1; k < window; ++k) smallest = lesser(smallest, distance2[k]);
     int at = 0;
     for (int k = window - 1; k >= 0; --k) at = distance2[k] == smallest ? k : at;
     return {smallest, at, along[at]};
@@ -47,9 +48,9 @@ bool before(const NearestPoint& a, const NearestPoint& b) {
 TT_CLONES void lower_bounds(const SegmentBoxes& boxes, Vec2 point, double slack, double* lower) {
     const int count = boxes.count();
     for (int b = 0; b < count; ++b) {
-        const double dx = std::max(0.0, std::max(boxes.low_x[b] - point.x, point.x - boxes.high_x[b]));
-        const double dy = std::max(0.0, std::max(boxes.low_y[b] - point.y, point.y - boxes.high_y[b]));
-        lower[b] = std::max(0.0, std::sqrt(dx * dx + dy * dy) - slack);
+        const double dx = greater(0.0, greater(boxes.low_x[b] - point.x, point.x - boxes.high_x[b]));
+        const double dy = greater(0.0, greater(boxes.low_y[b] - point.y, point.y - boxes.high_y[b]));
+        lower[b] = greater(0.0, std::sqrt(dx * dx + dy * dy) - slack);
     }
 }
 
