@@ -11,9 +11,10 @@
 #include "membrane/outline_checks.hpp"
 #include "membrane/shapes.hpp"
 
-/// The passes between membranes and lattice that are not the fluid's: viscosity field, contact, overlaps. Twelve cells of
-/// 126 nodes and radius 20 on 400 × 100 sites, as in the paper's channel, for each argument `channels` side by side. In
-/// every step the cells move as a shear flow of the speed given moves them. Counters:
+/// The passes between membranes and lattice that are not the fluid's: viscosity field, contact,
+/// overlaps. Twelve cells of 126 nodes and radius 20 on 400 × 100 sites, as in the paper's channel,
+/// for each argument `channels` side by side. In every step the cells move as a shear flow of the
+/// speed given moves them. Counters:
 ///   ns_node    per node and step; the µs of a step with 12 cells are the time column
 ///   pairs      node–cell pairs within range, per node
 namespace {
@@ -25,20 +26,25 @@ struct Scene {
     Suspension cells;
     double top_speed;
 
-    explicit Scene(int channels, double speed = 0.02) : lattice{400 * channels, 100, true}, top_speed(speed) {
+    explicit Scene(int channels, double speed = 0.02)
+        : lattice{400 * channels, 100, true}, top_speed(speed) {
         Random random(3);
         for (int n = 0; n < 12 * channels; ++n) {
             const int column = n / 2;
             const double squeeze = random.uniform(0.95, 1.15);
-            const Vec2 centre{400.0 / 6.0 * (column + 0.5 + 0.25 * (n % 2)) + random.uniform(-2.5, 2.5),
-                              (n % 2 == 0 ? 26.0 : 74.0) + random.uniform(-2.5, 2.5)};
-            add_cell(cells, placed(ellipse(20.0 * squeeze, 20.0 / squeeze, 126), random.uniform(0.0, 3.0), centre));
+            const Vec2 centre{
+                400.0 / 6.0 * (column + 0.5 + 0.25 * (n % 2)) + random.uniform(-2.5, 2.5),
+                (n % 2 == 0 ? 26.0 : 74.0) + random.uniform(-2.5, 2.5)};
+            add_cell(cells, placed(ellipse(20.0 * squeeze, 20.0 / squeeze, 126),
+                                   random.uniform(0.0, 3.0), centre));
         }
     }
 
-    /// Shear between walls at 0 and top_speed, and a small breathing so that not every cell moves alike.
+    /// Shear between walls at 0 and top_speed, and a small breathing so that not every cell moves
+    /// alike.
     void move(int step) {
-        for (int k = 0; k < cells.node_count(); ++k) cells.x[k] += top_speed * cells.y[k] / lattice.ny;
+        for (int k = 0; k < cells.node_count(); ++k)
+            cells.x[k] += top_speed * cells.y[k] / lattice.ny;
         for (int c = 0; c < cells.cell_count(); ++c) {
             const double dy = 0.2 * top_speed * std::sin(0.01 * step + c);
             for (int k = cells.first[c]; k < cells.first[c + 1]; ++k) cells.y[k] += dy;
@@ -47,7 +53,8 @@ struct Scene {
 };
 
 double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
 }
 
 /// Runs `pass` once per moved step and counts its time alone.
@@ -66,7 +73,8 @@ void run(benchmark::State& state, Scene& scene, Pass&& pass) {
     state.counters["ns_node"] = 1e9 * total / step / scene.cells.node_count();
 }
 
-void update_viscosity_with(benchmark::State& state, InterfaceViscosity interface, double refresh_distance) {
+void update_viscosity_with(benchmark::State& state, InterfaceViscosity interface,
+                           double refresh_distance) {
     Scene scene(static_cast<int>(state.range(0)));
     ViscosityModel model;
     model.interface = interface;
@@ -104,9 +112,12 @@ void self_crossings(benchmark::State& state) {
 }
 
 #define TT_BENCH_CHANNELS Unit(benchmark::kMicrosecond)->UseManualTime()->Arg(1)->Arg(10)->Arg(100)
-BENCHMARK_CAPTURE(update_viscosity_with, sharp_every_step, SharpInterface{}, 0.0)->TT_BENCH_CHANNELS;
-BENCHMARK_CAPTURE(update_viscosity_with, smoothed_every_step, SmoothedInterface{2.0}, 0.0)->TT_BENCH_CHANNELS;
-BENCHMARK_CAPTURE(update_viscosity_with, area_fraction_every_step, AreaFraction{}, 0.0)->TT_BENCH_CHANNELS;
+BENCHMARK_CAPTURE(update_viscosity_with, sharp_every_step, SharpInterface{}, 0.0)
+    ->TT_BENCH_CHANNELS;
+BENCHMARK_CAPTURE(update_viscosity_with, smoothed_every_step, SmoothedInterface{2.0}, 0.0)
+    ->TT_BENCH_CHANNELS;
+BENCHMARK_CAPTURE(update_viscosity_with, area_fraction_every_step, AreaFraction{}, 0.0)
+    ->TT_BENCH_CHANNELS;
 BENCHMARK_CAPTURE(update_viscosity_with, sharp, SharpInterface{}, 0.05)->TT_BENCH_CHANNELS;
 BENCHMARK_CAPTURE(update_viscosity_with, smoothed, SmoothedInterface{2.0}, 0.05)->TT_BENCH_CHANNELS;
 BENCHMARK_CAPTURE(update_viscosity_with, area_fraction, AreaFraction{}, 0.05)->TT_BENCH_CHANNELS;

@@ -32,10 +32,12 @@ void copy_closed(std::span<const double> from, double origin, std::vector<double
 
 }  // namespace
 
-bool lay_patch(const Outline& outline, double reach, double limit, Patch& patch, LocalOutline& local) {
+bool lay_patch(const Outline& outline, double reach, double limit, Patch& patch,
+               LocalOutline& local) {
     const Extent ex = extent(outline.x);
     const Extent ey = extent(outline.y);
-    if (!ex.finite || !ey.finite || !(ex.high - ex.low < limit) || !(ey.high - ey.low < limit)) return false;
+    if (!ex.finite || !ey.finite || !(ex.high - ex.low < limit) || !(ey.high - ey.low < limit))
+        return false;
     if (!(std::abs(ex.low) < 1e9) || !(std::abs(ey.low) < 1e9)) return false;
     patch.i = static_cast<int>(std::floor(ex.low - reach)) - 1;
     patch.j = static_cast<int>(std::floor(ey.low - reach)) - 1;

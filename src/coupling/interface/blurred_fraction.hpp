@@ -6,10 +6,10 @@
 
 namespace tt {
 
-/// The exact area fraction, smoothed `passes` times by ¼, ½, ¼ along x and along y: one pass is the convolution with the
-/// cosine delta (Eq. 8 takes these values at distances −1, 0, 1), so that viscosity and force have the same
-/// width, ± 1½ sites with one pass and one more with each other. Keeps the area; a flat membrane's fraction is ½ on it. Much
-/// cheaper than a signed distance.
+/// The exact area fraction, smoothed `passes` times by ¼, ½, ¼ along x and along y: one pass is the
+/// convolution with the cosine delta (Eq. 8 takes these values at distances −1, 0, 1), so that
+/// viscosity and force have the same width, ± 1½ sites with one pass and one more with each other.
+/// Keeps the area; a flat membrane's fraction is ½ on it. Much cheaper than a signed distance.
 struct BlurredFraction {
     static constexpr std::string_view name = "blurred-fraction";
     int passes = 1;

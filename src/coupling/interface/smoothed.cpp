@@ -9,15 +9,16 @@
 namespace tt {
 namespace {
 
-/// Eight numbers in one register, or in two or four of the narrower kinds. Written out, because the compiler does not see
-/// that the two bounds of t are a minimum and a maximum.
+/// Eight numbers in one register, or in two or four of the narrower kinds. Written out, because the
+/// compiler does not see that the two bounds of t are a minimum and a maximum.
 using Lanes = double __attribute__((vector_size(64)));
 using LanesInMemory = double __attribute__((vector_size(64), aligned(8), may_alias));
 static_assert(sizeof(Lanes) == Patch::lanes * sizeof(double));
 
-/// Lowers `distance2` (same layout as `patch`) to the squared distance of the segment a–b wherever it is smaller. Only the
-/// segment's box widened by `reach` is looked at; beyond, the distance is larger than reach. Whole aligned
-/// blocks, because the next segment reads back what this one has just written.
+/// Lowers `distance2` (same layout as `patch`) to the squared distance of the segment a–b wherever
+/// it is smaller. Only the segment's box widened by `reach` is looked at; beyond, the distance is
+/// larger than reach. Whole aligned blocks, because the next segment reads back what this one has
+/// just written.
 TT_INLINE void lower_distance(Vec2 a, Vec2 b, double reach, const Patch& patch, double* distance2) {
     const Lanes lane{0, 1, 2, 3, 4, 5, 6, 7};
     const Lanes zero = lane * 0.0, one = zero + 1.0;
@@ -32,7 +33,8 @@ TT_INLINE void lower_distance(Vec2 a, Vec2 b, double reach, const Patch& patch, 
     for (int block = first; block <= last; ++block) {
         const double x0 = block * Patch::lanes + 0.5 - a.x;
         const Lanes x = lane + x0;
-        double* row = distance2 + static_cast<std::size_t>(bottom) * patch.width + block * Patch::lanes;
+        double* row =
+            distance2 + static_cast<std::size_t>(bottom) * patch.width + block * Patch::lanes;
         for (int r = bottom; r <= top; ++r, row += patch.width) {
             const double y = r + 0.5 - a.y;
             Lanes t = t_of_lane + (x0 * along.x + y * along.y) * inverse;
@@ -48,9 +50,11 @@ TT_INLINE void lower_distance(Vec2 a, Vec2 b, double reach, const Patch& patch, 
     }
 }
 
-TT_CLONES void lower_all(const LocalOutline& outline, double reach, const Patch& patch, double* distance2) {
+TT_CLONES void lower_all(const LocalOutline& outline, double reach, const Patch& patch,
+                         double* distance2) {
     for (int k = 0; k < outline.segments(); ++k)
-        lower_distance({outline.x[k], outline.y[k]}, {outline.x[k + 1], outline.y[k + 1]}, reach, patch, distance2);
+        lower_distance({outline.x[k], outline.y[k]}, {outline.x[k + 1], outline.y[k + 1]}, reach,
+                       patch, distance2);
 }
 
 TT_CLONES void blend(double half_width, const double* distance2, int count, double* value) {
