@@ -24,7 +24,8 @@ double plain_viscosity(const ViscosityModel& model, int j) {
 /// Relaxation rates of `count` sites of a row.
 template <class Mean, class Rule>
 TT_INLINE void set_rates(const Mean& mean, const Rule& collision, double plain, double cytoplasm,
-                         const double* fraction, int count, double* even, double* odd) {
+                         const double* __restrict fraction, int count, double* __restrict even,
+                         double* __restrict odd) {
     for (int k = 0; k < count; ++k) {
         const double f = lesser(1.0, greater(0.0, fraction[k]));
         const Rates rates = collision.rates(mean(plain, cytoplasm, f));
@@ -33,33 +34,36 @@ TT_INLINE void set_rates(const Mean& mean, const Rule& collision, double plain, 
     }
 }
 
-/// One block of `change_run`.
-template <class Mean, class Rule>
-TT_INLINE void change_block(const Mean& mean, const Rule& collision, double plain, double cytoplasm,
-                            const double* now, const double* before, int count, double* fraction,
-                            double* even, double* odd) {
-    std::uint64_t differ = 0;
+/// Do `count` numbers differ in any bit?
+TT_INLINE bool differ(const double* a, const double* b, int count) {
+    std::uint64_t bits = 0;
     for (int k = 0; k < count; ++k)
-        differ |= std::bit_cast<std::uint64_t>(now[k]) ^ std::bit_cast<std::uint64_t>(before[k]);
-    if (differ == 0) return;
-    for (int k = 0; k < count; ++k) fraction[k] += now[k] - before[k];
-    set_rates(mean, collision, plain, cytoplasm, fraction, count, even, odd);
+        bits |= std::bit_cast<std::uint64_t>(a[k]) ^ std::bit_cast<std::uint64_t>(b[k]);
+    return bits != 0;
 }
 
 /// Adds (now − before) to the fractions of `count` neighbouring sites and sets the rates where that
-/// changes them. In blocks, since most of a row is far from the membrane and unchanged.
+/// changes them. Most of a row is far from the membrane and unchanged, so it is taken in blocks.
 template <class Mean, class Rule>
 TT_CLONES void change_run(const Mean& mean, const Rule& collision, double plain, double cytoplasm,
-                          const double* now, const double* before, int count, double* fraction,
-                          double* even, double* odd) {
+                          const double* __restrict now, const double* __restrict before, int count,
+                          double* __restrict fraction, double* __restrict even,
+                          double* __restrict odd) {
     constexpr int block = Patch::lanes;
-    int k = 0;
-    for (; k + block <= count; k += block)
-        change_block(mean, collision, plain, cytoplasm, now + k, before + k, block, fraction + k,
-                     even + k, odd + k);
-    if (k < count)
-        change_block(mean, collision, plain, cytoplasm, now + k, before + k, count - k,
-                     fraction + k, even + k, odd + k);
+    const auto changed = [&](int k) {
+        return k + block <= count ? differ(now + k, before + k, block)
+                                  : differ(now + k, before + k, count - k);
+    };
+    for (int k = 0; k < count; k += block) {
+        if (!changed(k)) continue;
+        const int first = k;
+        do k += block;
+        while (k < count && changed(k));
+        const int changes = std::min(k, count) - first;
+        for (int n = first; n < first + changes; ++n) fraction[n] += now[n] - before[n];
+        set_rates(mean, collision, plain, cytoplasm, fraction + first, changes, even + first,
+                  odd + first);
+    }
 }
 
 int wrapped(int index, int period) {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/isa.hpp"
+#include "base/lesser.hpp"
 #include "base/parallel.hpp"
 #include "interaction/contact.hpp"
 
@@ -37,11 +38,12 @@ Vec2 drift_of(const Suspension& cells, const ContactState& contact) {
 TT_CLONES double largest_move2(const double* x, const double* y, const double* x0, const double* y0,
                                int count, Vec2 drift) {
     double largest = 0.0;
+#pragma omp simd reduction(max : largest)
     for (int k = 0; k < count; ++k) {
         const double dx = x[k] - x0[k] - drift.x;
         const double dy = y[k] - y0[k] - drift.y;
         const double d2 = dx * dx + dy * dy;
-        largest = d2 > largest ? d2 : largest;
+        largest = greater(largest, d2);
     }
     return largest;
 }
