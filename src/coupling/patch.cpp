@@ -47,7 +47,10 @@ bool lay_patch(const Outline& outline, double reach, double limit, Patch& patch,
     const int width = static_cast<int>(std::ceil(ex.high + reach)) + 1 - patch.i;
     patch.width = (width + Patch::lanes - 1) / Patch::lanes * Patch::lanes;
     patch.height = static_cast<int>(std::ceil(ey.high + reach)) + 2 - patch.j;
-    patch.value.assign(static_cast<std::size_t>(patch.width) * patch.height, 0.0);
+    const std::size_t sites = static_cast<std::size_t>(patch.width) * patch.height;
+    if (patch.value.capacity() < sites) patch.value.reserve(2 * sites);  // room for a cell to turn
+    if (patch.work.capacity() < sites) patch.work.reserve(2 * sites);
+    patch.value.assign(sites, 0.0);
     copy_closed(outline.x, patch.i, local.x);
     copy_closed(outline.y, patch.j, local.y);
     return true;

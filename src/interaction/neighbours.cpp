@@ -63,7 +63,9 @@ void CellBins::sort(const Lattice& lattice, const std::vector<Bounds>& bounds, d
     ny_ = std::max(1, static_cast<int>(lattice.ny / size));
     const std::size_t n = bounds.size();
     bin_.assign(n, -1);
-    first_.assign(static_cast<std::size_t>(nx_) * ny_ + 1, 0);
+    const std::size_t bins = static_cast<std::size_t>(nx_) * ny_;
+    if (first_.capacity() <= bins) first_.reserve(4 * bins + 1);  // boxes shrink and grow in a run
+    first_.assign(bins + 1, 0);
     for (std::size_t c = 0; c < n; ++c) {
         if (!bounds[c].usable) continue;
         bin_[c] = bin_along(bounds[c].low.y, lattice.ny, ny_) * nx_ +

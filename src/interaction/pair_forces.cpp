@@ -94,6 +94,10 @@ void list_pairs(const ContactModel& model, const Suspension& cells, ContactState
                 int cell) {
     CellContacts& mine = contact.cells[cell];
     const double reach = contact.listed_reach + 2.0 * skin;
+    // Room for every node to have two neighbours, so that lists seldom grow during a run.
+    mine.pairs.reserve(2 * cells.node_count(cell));
+    mine.hits.reserve(2 * cells.node_count(cell));
+    mine.neighbours.reserve(32);
     mine.pairs.clear();
     contact.bins.near(cell, mine.neighbours);
     for (const Neighbour& neighbour : mine.neighbours) {
@@ -108,7 +112,7 @@ void list_pairs(const ContactModel& model, const Suspension& cells, ContactState
             if (found.distance2 <= reach * reach) mine.pairs.push_back(pair);
         }
     }
-    mine.hits.reserve(mine.pairs.size());
+    mine.hits.reserve(mine.pairs.capacity());
 }
 
 /// Lists all pairs anew. Allocates where there are more pairs than ever before.
