@@ -10,9 +10,11 @@
 
 namespace tt::random_cells {
 
-/// A smooth star-shaped outline about the origin, counter-clockwise: radius · (1 + Σ of four harmonics), up to 60 %
-/// off the circle, squeezed along a random axis down to `thinnest` of its width.
-inline std::vector<Vec2> smooth_shape(Random& random, double radius, int nodes, double thinnest = 0.3) {
+/// A smooth star-shaped outline about the origin, counter-clockwise: radius · (1 + Σ of four
+/// harmonics), up to 60 % off the circle, squeezed along a random axis down to `thinnest` of its
+/// width.
+inline std::vector<Vec2> smooth_shape(Random& random, double radius, int nodes,
+                                      double thinnest = 0.3) {
     double amplitude[4], phase[4];
     for (int m = 0; m < 4; ++m) {
         amplitude[m] = random.uniform(0.0, 0.15);
@@ -29,9 +31,10 @@ inline std::vector<Vec2> smooth_shape(Random& random, double radius, int nodes, 
     return placed(points, random.uniform(0.0, 2.0 * std::numbers::pi), {0.0, 0.0});
 }
 
-/// `columns` × `rows` smooth shapes on a jittered grid of the given pitch, turned at random, each shifted by a random number of
-/// periods so that unwrapped positions are met.
-inline Suspension suspension(std::uint64_t seed, int columns, int rows, double pitch, double radius, int nodes) {
+/// `columns` × `rows` smooth shapes on a jittered grid of the given pitch, turned at random, each
+/// shifted by a random number of periods so that unwrapped positions are met.
+inline Suspension suspension(std::uint64_t seed, int columns, int rows, double pitch, double radius,
+                             int nodes) {
     Random random(seed);
     Suspension cells;
     const double period = columns * pitch;

@@ -1,18 +1,21 @@
 #include "coupling/viscosity.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "base/contracts.hpp"
 #include "base/isa.hpp"
+#include "base/lesser.hpp"
 #include "base/parallel.hpp"
 
 namespace tt {
 namespace {
 
-/// Viscosity without cells in row j. The row that the edge of the layer cuts has the harmonic mean of both, exact for
-/// shear along the layer.
+/// Viscosity without cells in row j. The row that the edge of the layer cuts has the harmonic mean
+/// of both, exact for shear along the layer.
 double plain_viscosity(const ViscosityModel& model, int j) {
     const double share = std::clamp(model.layer_thickness - j, 0.0, 1.0);
     return HarmonicMean{}(model.plasma, model.layer_viscosity, share);
@@ -21,39 +24,46 @@ double plain_viscosity(const ViscosityModel& model, int j) {
 /// Relaxation rates of `count` sites of a row.
 template <class Mean, class Rule>
 TT_INLINE void set_rates(const Mean& mean, const Rule& collision, double plain, double cytoplasm,
-                         const double* fraction, int count, double* even, double* odd) {
+                         const double* __restrict fraction, int count, double* __restrict even,
+                         double* __restrict odd) {
     for (int k = 0; k < count; ++k) {
-        const double f = std::min(1.0, std::max(0.0, fraction[k]));
-        even[k] = even_rate(mean(plain, cytoplasm, f));
-        odd[k] = collision.odd_rate(even[k]);
+        const double f = lesser(1.0, greater(0.0, fraction[k]));
+        const Rates rates = collision.rates(mean(plain, cytoplasm, f));
+        even[k] = rates.even;
+        odd[k] = rates.odd;
     }
 }
 
-/// One block of `change_run`.
-template <class Mean, class Rule>
-TT_INLINE void change_block(const Mean& mean, const Rule& collision, double plain, double cytoplasm,
-                            const double* now, const double* before, int count, double* fraction, double* even,
-                            double* odd) {
-    double largest = 0.0;
-    for (int k = 0; k < count; ++k) largest = std::max(largest, std::abs(now[k] - before[k]));
-    if (largest == 0.0) return;
-    for (int k = 0; k < count; ++k) fraction[k] += now[k] - before[k];
-    set_rates(mean, collision, plain, cytoplasm, fraction, count, even, odd);
+/// Do `count` numbers differ in any bit?
+TT_INLINE bool differ(const double* a, const double* b, int count) {
+    std::uint64_t bits = 0;
+    for (int k = 0; k < count; ++k)
+        bits |= std::bit_cast<std::uint64_t>(a[k]) ^ std::bit_cast<std::uint64_t>(b[k]);
+    return bits != 0;
 }
 
-/// Adds (now − before) to the fractions of `count` neighbouring sites and sets the rates where that changes them. In
-/// blocks, since most of a row is far from the membrane and unchanged.
+/// Adds (now − before) to the fractions of `count` neighbouring sites and sets the rates where that
+/// changes them. Most of a row is far from the membrane and unchanged, so it is taken in blocks.
 template <class Mean, class Rule>
 TT_CLONES void change_run(const Mean& mean, const Rule& collision, double plain, double cytoplasm,
-                          const double* now, const double* before, int count, double* fraction, double* even,
-                          double* odd) {
+                          const double* __restrict now, const double* __restrict before, int count,
+                          double* __restrict fraction, double* __restrict even,
+                          double* __restrict odd) {
     constexpr int block = Patch::lanes;
-    int k = 0;
-    for (; k + block <= count; k += block)
-        change_block(mean, collision, plain, cytoplasm, now + k, before + k, block, fraction + k, even + k, odd + k);
-    if (k < count)
-        change_block(mean, collision, plain, cytoplasm, now + k, before + k, count - k, fraction + k, even + k,
-                     odd + k);
+    const auto changed = [&](int k) {
+        return k + block <= count ? differ(now + k, before + k, block)
+                                  : differ(now + k, before + k, count - k);
+    };
+    for (int k = 0; k < count; k += block) {
+        if (!changed(k)) continue;
+        const int first = k;
+        do k += block;
+        while (k < count && changed(k));
+        const int changes = std::min(k, count) - first;
+        for (int n = first; n < first + changes; ++n) fraction[n] += now[n] - before[n];
+        set_rates(mean, collision, plain, cytoplasm, fraction + first, changes, even + first,
+                  odd + first);
+    }
 }
 
 int wrapped(int index, int period) {
@@ -77,8 +87,8 @@ struct Target {
         for (int done = 0; done < count;) {
             const int i = wrapped(column + done, nx);
             const int run = std::min(count - done, nx - i);
-            change_run(mean, collision, plain, model.cytoplasm, now + done, before + done, run, fraction.row(j) + i,
-                       relaxation.even.row(j) + i, relaxation.odd.row(j) + i);
+            change_run(mean, collision, plain, model.cytoplasm, now + done, before + done, run,
+                       fraction.row(j) + i, relaxation.even.row(j) + i, relaxation.odd.row(j) + i);
             done += run;
         }
     }
@@ -91,7 +101,8 @@ void copy_columns(const Patch& patch, int j, int column, int count, double* to) 
     if (r < 0 || r >= patch.height) return;
     const int begin = std::max(column, patch.i);
     const int end = std::min(column + count, patch.i + patch.width);
-    if (begin < end) std::copy_n(patch.row(r) + (begin - patch.i), end - begin, to + (begin - column));
+    if (begin < end)
+        std::copy_n(patch.row(r) + (begin - patch.i), end - begin, to + (begin - column));
 }
 
 /// Changes one unwrapped row from `before` to `now` where the two patches differ in place.
@@ -101,7 +112,8 @@ void change_moved_row(const T& target, const Patch& now, const Patch& before, in
     double value_now[chunk];
     double value_before[chunk];
     const int begin = before.height == 0 ? now.i : std::min(now.i, before.i);
-    const int end = std::max(now.i + now.width, before.height == 0 ? now.i : before.i + before.width);
+    const int end =
+        std::max(now.i + now.width, before.height == 0 ? now.i : before.i + before.width);
     for (int column = begin; column < end; column += chunk) {
         const int count = std::min(chunk, end - column);
         copy_columns(now, row, column, count, value_now);
@@ -112,16 +124,20 @@ void change_moved_row(const T& target, const Patch& now, const Patch& before, in
 
 /// Brings the rows [rows.first, rows.second) of the box from patch `before` to patch `now`.
 template <class T>
-void change_patch(const T& target, const Patch& now, const Patch& before, std::pair<int, int> rows) {
+void change_patch(const T& target, const Patch& now, const Patch& before,
+                  std::pair<int, int> rows) {
     const Lattice& lattice = target.fraction.lattice();
     const bool still = now.same_place(before);
     const int begin = before.height == 0 ? now.j : std::min(now.j, before.j);
-    const int end = std::max(now.j + now.height, before.height == 0 ? now.j : before.j + before.height);
+    const int end =
+        std::max(now.j + now.height, before.height == 0 ? now.j : before.j + before.height);
     for (int row = begin; row < end; ++row) {
         const int j = lattice.walls ? row : wrapped(row, lattice.ny);
         if (j < rows.first || j >= rows.second) continue;
-        if (still) target.change_row(j, now.i, now.width, now.row(row - now.j), before.row(row - now.j));
-        else change_moved_row(target, now, before, row, j);
+        if (still)
+            target.change_row(j, now.i, now.width, now.row(row - now.j), before.row(row - now.j));
+        else
+            change_moved_row(target, now, before, row, j);
     }
 }
 
@@ -129,12 +145,15 @@ TT_CLONES void quantise(std::vector<double>& values) {
     for (double& v : values) v = quantised(v);
 }
 
-/// Lays the outline given on the lattice as the new patch of a cell. False where it cannot be: the old one stays.
-bool lay_cell(const ViscosityModel& model, const Lattice& lattice, const Outline& outline, CellPatch& cell) {
+/// Lays the outline given on the lattice as the new patch of a cell. False where it cannot be: the
+/// old one stays.
+bool lay_cell(const ViscosityModel& model, const Lattice& lattice, const Outline& outline,
+              CellPatch& cell) {
     const double limit = 4.0 * std::max(lattice.nx, lattice.ny);
     return std::visit(
         [&](const auto& interface, const auto& interior) {
-            if (!lay_patch(outline, interface.reach(), limit, cell.before, cell.local)) return false;
+            if (!lay_patch(outline, interface.reach(), limit, cell.before, cell.local))
+                return false;
             interface(interior, cell.local, cell.before);
             quantise(cell.before.value);
             std::swap(cell.now, cell.before);
@@ -144,8 +163,8 @@ bool lay_cell(const ViscosityModel& model, const Lattice& lattice, const Outline
 }
 
 /// Has a node moved by more than `distance`? Also true where a position is not finite.
-TT_CLONES bool moved(const double* x, const double* y, const double* x0, const double* y0, int count,
-                     double distance) {
+TT_CLONES bool moved(const double* x, const double* y, const double* x0, const double* y0,
+                     int count, double distance) {
     const double limit = distance * distance;
     int near = 0;
     for (int k = 0; k < count; ++k) {
@@ -158,9 +177,13 @@ TT_CLONES bool moved(const double* x, const double* y, const double* x0, const d
 
 /// Calls `f(target)` with the model's mean and collision operator resolved.
 template <class F>
-void with_target(const ViscosityModel& model, InteriorState& interior, Relaxation& relaxation, F&& f) {
-    std::visit([&](const auto& mean, const auto& rule) { f(Target{model, mean, rule, interior.fraction, relaxation}); },
-               model.mean, model.collision);
+void with_target(const ViscosityModel& model, InteriorState& interior, Relaxation& relaxation,
+                 F&& f) {
+    std::visit(
+        [&](const auto& mean, const auto& rule) {
+            f(Target{model, mean, rule, interior.fraction, relaxation});
+        },
+        model.mean, model.collision);
 }
 
 Outline kept_outline(const Suspension& cells, const InteriorState& interior, int cell) {
@@ -170,13 +193,15 @@ Outline kept_outline(const Suspension& cells, const InteriorState& interior, int
 }
 
 /// Lays a cell anew if it has moved; keeps the positions it was laid from.
-void refresh_cell(const ViscosityModel& model, const Suspension& cells, InteriorState& interior, int cell) {
+void refresh_cell(const ViscosityModel& model, const Suspension& cells, InteriorState& interior,
+                  int cell) {
     CellPatch& patch = interior.patches[cell];
     const int first = cells.first[cell];
     const int count = cells.node_count(cell);
-    patch.refreshed = moved(cells.x.data() + first, cells.y.data() + first, interior.x.data() + first,
-                            interior.y.data() + first, count, model.refresh_distance) &&
-                      lay_cell(model, interior.fraction.lattice(), outline(cells, cell), patch);
+    patch.refreshed =
+        moved(cells.x.data() + first, cells.y.data() + first, interior.x.data() + first,
+              interior.y.data() + first, count, model.refresh_distance) &&
+        lay_cell(model, interior.fraction.lattice(), outline(cells, cell), patch);
     if (!patch.refreshed) return;
     std::copy_n(cells.x.data() + first, count, interior.x.data() + first);
     std::copy_n(cells.y.data() + first, count, interior.y.data() + first);
@@ -184,15 +209,15 @@ void refresh_cell(const ViscosityModel& model, const Suspension& cells, Interior
 
 }  // namespace
 
-void rebuild_viscosity(const ViscosityModel& model, const Suspension& cells, InteriorState& interior,
-                       Relaxation& relaxation) {
+void rebuild_viscosity(const ViscosityModel& model, const Suspension& cells,
+                       InteriorState& interior, Relaxation& relaxation) {
     interior.x = cells.x;
     interior.y = cells.y;
     restore_viscosity(model, cells, interior, relaxation);
 }
 
-void restore_viscosity(const ViscosityModel& model, const Suspension& cells, InteriorState& interior,
-                       Relaxation& relaxation) {
+void restore_viscosity(const ViscosityModel& model, const Suspension& cells,
+                       InteriorState& interior, Relaxation& relaxation) {
     TT_EXPECTS(interior.x.size() == cells.x.size() && interior.y.size() == cells.y.size());
     const Lattice& lattice = relaxation.even.lattice();
     interior.fraction = Field(lattice);
@@ -200,7 +225,8 @@ void restore_viscosity(const ViscosityModel& model, const Suspension& cells, Int
     with_target(model, interior, relaxation, [&](const auto& target) {
         for (int j = 0; j < lattice.ny; ++j)
             set_rates(target.mean, target.collision, plain_viscosity(model, j), model.cytoplasm,
-                      interior.fraction.row(j), lattice.nx, relaxation.even.row(j), relaxation.odd.row(j));
+                      interior.fraction.row(j), lattice.nx, relaxation.even.row(j),
+                      relaxation.odd.row(j));
         for (int cell = 0; cell < cells.cell_count(); ++cell) {
             CellPatch& patch = interior.patches[cell];
             if (lay_cell(model, lattice, kept_outline(cells, interior, cell), patch))
@@ -213,7 +239,8 @@ void update_viscosity(const ViscosityModel& model, const Suspension& cells, Inte
                       Relaxation& relaxation) {
     TT_EXPECTS(static_cast<int>(interior.patches.size()) == cells.cell_count());
     const auto [first_cell, last_cell] = team_share(cells.cell_count());
-    for (int cell = first_cell; cell < last_cell; ++cell) refresh_cell(model, cells, interior, cell);
+    for (int cell = first_cell; cell < last_cell; ++cell)
+        refresh_cell(model, cells, interior, cell);
     team_barrier();
     const auto rows = team_share(interior.fraction.lattice().ny);
     with_target(model, interior, relaxation, [&](const auto& target) {

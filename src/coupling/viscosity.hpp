@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/interface/area_fraction.hpp"
+#include "coupling/interface/blurred_fraction.hpp"
 #include "coupling/interface/sharp.hpp"
 #include "coupling/interface/smoothed.hpp"
 #include "coupling/interior/flood_fill.hpp"
@@ -21,9 +22,10 @@ namespace tt {
 /// Which sites lie inside a cell.
 using InteriorMethod = std::variant<ScanLine, FloodFill>;
 
-/// How the fraction of cytoplasm passes from 0 to 1 across a membrane. Another way is one more struct with `reach()`
-/// and a call operator that fills a patch.
-using InterfaceViscosity = std::variant<SharpInterface, SmoothedInterface, AreaFraction>;
+/// How the fraction of cytoplasm passes from 0 to 1 across a membrane. Another way is one more
+/// struct with `reach()` and a call operator that fills a patch.
+using InterfaceViscosity =
+    std::variant<SharpInterface, SmoothedInterface, AreaFraction, BlurredFraction>;
 
 /// The two-viscosity model, lattice units.
 struct ViscosityModel {
@@ -31,11 +33,12 @@ struct ViscosityModel {
     InterfaceViscosity interface;
     ViscosityMean mean;
     Collision collision;
-    double plasma = 1.0 / 6.0;     ///< kinematic viscosity outside
-    double cytoplasm = 1.0 / 6.0;  ///< inside
-    double layer_viscosity = 1.0 / 6.0;   ///< of a plain second fluid in 0 ≤ y < layer_thickness
+    double plasma = 1.0 / 6.0;           ///< kinematic viscosity outside
+    double cytoplasm = 1.0 / 6.0;        ///< inside
+    double layer_viscosity = 1.0 / 6.0;  ///< of a plain second fluid in 0 ≤ y < layer_thickness
     double layer_thickness = 0.0;
-    double refresh_distance = 0.05;  ///< a cell is laid anew once a node is this far from where it last was; 0: always
+    double refresh_distance =
+        0.05;  ///< a cell is laid anew once a node is this far from where it last was; 0: always
 };
 
 /// One cell's share in the fraction field, now and before the last refresh.
@@ -48,23 +51,25 @@ struct CellPatch {
 /// Fraction of cytoplasm per site, and what it was made from.
 struct InteriorState {
     Field fraction;  ///< 0 … 1; where cells overlap their fractions add up
-    /// Where each node was when its cell was last laid on the lattice. `fraction` and the relaxation rates are a
-    /// function of these positions, not of the current ones: a checkpoint keeps them.
+    /// Where each node was when its cell was last laid on the lattice. `fraction` and the
+    /// relaxation rates are a function of these positions, not of the current ones: a checkpoint
+    /// keeps them.
     std::vector<double> x, y;
     std::vector<CellPatch> patches;  ///< per cell; derived
 };
 
 /// Recomputes fraction and relaxation rates from the current outlines, from scratch. Allocates.
-void rebuild_viscosity(const ViscosityModel& model, const Suspension& cells, InteriorState& interior,
-                       Relaxation& relaxation);
+void rebuild_viscosity(const ViscosityModel& model, const Suspension& cells,
+                       InteriorState& interior, Relaxation& relaxation);
 
-/// The same from the positions kept in `interior.x`, `interior.y`: after reading a checkpoint. Allocates.
-void restore_viscosity(const ViscosityModel& model, const Suspension& cells, InteriorState& interior,
-                       Relaxation& relaxation);
+/// The same from the positions kept in `interior.x`, `interior.y`: after reading a checkpoint.
+/// Allocates.
+void restore_viscosity(const ViscosityModel& model, const Suspension& cells,
+                       InteriorState& interior, Relaxation& relaxation);
 
-/// Brings both up to date after the membranes moved: lays anew the cells of which a node has moved by more than
-/// refresh_distance since they were last laid, and touches only sites whose fraction changed. Gives the same bits as
-/// `restore_viscosity` from the same kept positions. Team function.
+/// Brings both up to date after the membranes moved: lays anew the cells of which a node has moved
+/// by more than refresh_distance since they were last laid, and touches only sites whose fraction
+/// changed. Gives the same bits as `restore_viscosity` from the same kept positions. Team function.
 void update_viscosity(const ViscosityModel& model, const Suspension& cells, InteriorState& interior,
                       Relaxation& relaxation);
 

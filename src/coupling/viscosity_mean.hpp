@@ -7,8 +7,8 @@
 
 namespace tt {
 
-/// ν of a site of which the share `fraction` is cytoplasm. Exact for shear along layers that lie across the velocity
-/// gradient in parallel: the mean stress at given shear rate.
+/// ν of a site of which the share `fraction` is cytoplasm. Exact for shear along layers that lie
+/// across the velocity gradient in parallel: the mean stress at given shear rate.
 struct ArithmeticMean {
     static constexpr std::string_view name = "arithmetic";
     TT_INLINE double operator()(double plasma, double cytoplasm, double fraction) const {
@@ -16,7 +16,8 @@ struct ArithmeticMean {
     }
 };
 
-/// 1/ν is averaged: layers in series, the mean shear rate at given shear stress, as across a membrane along the flow.
+/// 1/ν is averaged: layers in series, the mean shear rate at given shear stress, as across a
+/// membrane along the flow.
 struct HarmonicMean {
     static constexpr std::string_view name = "harmonic";
     TT_INLINE double operator()(double plasma, double cytoplasm, double fraction) const {

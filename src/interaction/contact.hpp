@@ -19,9 +19,9 @@ using ContactLaw = std::variant<NoContact, Morse>;
 struct ContactModel {
     ContactLaw law;
     Nearest nearest = Nearest::segment;
-    double range = 0.0;                ///< query range R
-    double repulsion_range = 0.0;      ///< short-range repulsion below this gap; 0: off
-    double repulsion_strength = 0.0;   ///< its pressure at zero gap
+    double range = 0.0;               ///< query range R
+    double repulsion_range = 0.0;     ///< short-range repulsion below this gap; 0: off
+    double repulsion_strength = 0.0;  ///< its pressure at zero gap
 
     /// How far apart two membranes can feel each other; 0: nothing to do.
     double reach() const {
@@ -32,11 +32,12 @@ struct ContactModel {
 
 /// A node and a neighbouring cell that were near when pairs were last listed.
 struct ContactPair {
-    std::int32_t node = 0;      ///< of the suspension
-    std::int32_t other = 0;     ///< cell
+    std::int32_t node = 0;          ///< of the suspension
+    std::int32_t other = 0;         ///< cell
     std::int32_t window_first = 0;  ///< segments among which the nearest is, as long as
-    double outside = 0.0;       ///< … it is nearer than this bound for all others, less what has moved since
-    Vec2 shift;                 ///< of the image of the other cell, whole periods
+    double outside =
+        0.0;     ///< … it is nearer than this bound for all others, less what has moved since
+    Vec2 shift;  ///< of the image of the other cell, whole periods
 };
 
 /// A pair within reach at this step, and its force.
@@ -63,11 +64,14 @@ struct CellContacts {
     std::int64_t repelled = 0;
 };
 
-/// Counters since the start (checkpointed) and the neighbour search's work arrays: derived, and without influence on the
-/// forces, since a search through the lists finds what a search through everything would find.
+/// Counters since the start (checkpointed) and the neighbour search's work arrays: derived, and
+/// without influence on the forces, since a search through the lists finds what a search through
+/// everything would find.
 struct ContactState {
-    std::int64_t repulsion_count = 0;   ///< node–steps on which the short-range repulsion acted, per partner
-    double smallest_gap = 0.0;          ///< between cells, at the last step [sites]; the reach where none is nearer
+    std::int64_t repulsion_count =
+        0;  ///< node–steps on which the short-range repulsion acted, per partner
+    double smallest_gap =
+        0.0;  ///< between cells, at the last step [sites]; the reach where none is nearer
 
     std::vector<CellContacts> cells;
     std::vector<double> listed_x, listed_y;  ///< node positions when pairs were last listed
@@ -76,15 +80,18 @@ struct ContactState {
     double listed_reach = -1.0;
 };
 
-/// Adds the forces between cells to fx, fy. Every node within reach of another cell's outline feels the pressure f of
-/// its gap r to the nearest point there, along the line between the two; the partner's two nodes share the opposite by
-/// the lever rule, so force and torque balance. Each pair of membranes is integrated from both sides, nodes of A to
-/// segments of B and nodes of B to segments of A, each with half of f Δs: the mean of two quadratures, the same
-/// whichever cell comes first. α is that of the node's cell. Also the short-range repulsion, between cells and from walls.
+/// Adds the forces between cells to fx, fy. Every node within reach of another cell's outline feels
+/// the pressure f of its gap r to the nearest point there, along the line between the two; the
+/// partner's two nodes share the opposite by the lever rule, so force and torque balance. Each pair
+/// of membranes is integrated from both sides, nodes of A to segments of B and nodes of B to
+/// segments of A, each with half of f Δs: the mean of two quadratures, the same whichever cell
+/// comes first. α is that of the node's cell. Also the short-range repulsion, between cells and
+/// from walls.
 ///
-/// A cell's periodic images are other cells, its own included. Sums in a fixed order: same bits for any team and after
-/// any restart. Team function.
-void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspension& cells, ContactState& contact);
+/// A cell's periodic images are other cells, its own included. Sums in a fixed order: same bits for
+/// any team and after any restart. Team function.
+void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspension& cells,
+                     ContactState& contact);
 
 /// A node of one cell found inside another.
 struct Overlap {
@@ -94,7 +101,8 @@ struct Overlap {
     double depth = 0.0;  ///< distance to the other outline [sites]
 };
 
-/// Every node that lies inside another cell, by cell, other and node. Cells by bins, then boxes, then nodes.
+/// Every node that lies inside another cell, by cell, other and node. Cells by bins, then boxes,
+/// then nodes.
 std::vector<Overlap> find_overlaps(const Lattice& lattice, const Suspension& cells);
 
 }  // namespace tt

@@ -4,13 +4,15 @@
 #include <cmath>
 
 #include "base/isa.hpp"
+#include "base/lesser.hpp"
 
 namespace tt {
 namespace {
 
-/// Squared distance from the origin to each of `window` segments between consecutive points, and where on it.
-TT_INLINE void measure_window(const double* x, const double* y, Vec2 point, double segments_count, double* distance2,
-                              double* along) {
+/// Squared distance from the origin to each of `window` segments between consecutive points, and
+/// where on it.
+TT_INLINE void measure_window(const double* x, const double* y, Vec2 point, double segments_count,
+                              double* distance2, double* along) {
 #pragma omp simd
     for (int k = 0; k < window; ++k) {
         const double ax = x[k] - point.x;
@@ -19,8 +21,8 @@ TT_INLINE void measure_window(const double* x, const double* y, Vec2 point, doub
         const double ey = y[k + 1] - y[k];
         const double length2 = ex * ex + ey * ey;
         // Two nodes on one spot make a segment of no length: any place on it will do.
-        const double place = -(ax * ex + ay * ey) / std::max(length2, 1e-300);
-        const double t = segments_count * std::min(1.0, std::max(0.0, place));
+        const double place = -(ax * ex + ay * ey) / greater(length2, 1e-300);
+        const double t = segments_count * lesser(1.0, greater(0.0, place));
         const double dx = ax + t * ex;
         const double dy = ay + t * ey;
         distance2[k] = dx * dx + dy * dy;
@@ -28,12 +30,13 @@ TT_INLINE void measure_window(const double* x, const double* y, Vec2 point, doub
     }
 }
 
-TT_CLONES NearestPoint nearest_of(const double* x, const double* y, Vec2 point, double segments_count) {
+TT_CLONES NearestPoint nearest_of(const double* x, const double* y, Vec2 point,
+                                  double segments_count) {
     double distance2[window];
     double along[window];
     measure_window(x, y, point, segments_count, distance2, along);
     double smallest = distance2[0];
-    for (int k = 1; k < window; ++k) smallest = std::min(smallest, distance2[k]);
+    for (int k = 1; k < window; ++k) smallest = lesser(smallest, distance2[k]);
     int at = 0;
     for (int k = window - 1; k >= 0; --k) at = distance2[k] == smallest ? k : at;
     return {smallest, at, along[at]};
@@ -47,14 +50,17 @@ bool before(const NearestPoint& a, const NearestPoint& b) {
 TT_CLONES void lower_bounds(const SegmentBoxes& boxes, Vec2 point, double slack, double* lower) {
     const int count = boxes.count();
     for (int b = 0; b < count; ++b) {
-        const double dx = std::max(0.0, std::max(boxes.low_x[b] - point.x, point.x - boxes.high_x[b]));
-        const double dy = std::max(0.0, std::max(boxes.low_y[b] - point.y, point.y - boxes.high_y[b]));
-        lower[b] = std::max(0.0, std::sqrt(dx * dx + dy * dy) - slack);
+        const double dx =
+            greater(0.0, greater(boxes.low_x[b] - point.x, point.x - boxes.high_x[b]));
+        const double dy =
+            greater(0.0, greater(boxes.low_y[b] - point.y, point.y - boxes.high_y[b]));
+        lower[b] = greater(0.0, std::sqrt(dx * dx + dy * dy) - slack);
     }
 }
 
 /// The same for a window that reaches past the end of the outline.
-NearestPoint nearest_across_start(const Outline& outline, Vec2 point, int first, double segments_count) {
+NearestPoint nearest_across_start(const Outline& outline, Vec2 point, int first,
+                                  double segments_count) {
     const int size = outline.size();
     double x[window + 1], y[window + 1];
     for (int k = 0; k <= window; ++k) {
@@ -79,7 +85,8 @@ int window_around(const NearestPoint& at, int size) {
 }
 
 /// Smallest distance of the segments of one box that are not in the window.
-double nearest_outside(const Outline& outline, Vec2 point, Nearest nearest, int box, int window_first) {
+double nearest_outside(const Outline& outline, Vec2 point, Nearest nearest, int box,
+                       int window_first) {
     double smallest = HUGE_VAL;
     const int size = outline.size();
     const int end = std::min(size, (box + 1) * window);
@@ -101,7 +108,8 @@ NearestPoint nearest_in_window(const Outline& outline, Vec2 point, int first, Ne
     const int size = outline.size();
     const double segments_count = nearest == Nearest::segment ? 1.0 : 0.0;
     if (first + window < size) {
-        NearestPoint found = nearest_of(outline.x.data() + first, outline.y.data() + first, point, segments_count);
+        NearestPoint found =
+            nearest_of(outline.x.data() + first, outline.y.data() + first, point, segments_count);
         found.segment += first;
         return found;
     }
@@ -111,7 +119,8 @@ NearestPoint nearest_in_window(const Outline& outline, Vec2 point, int first, Ne
 void set_boxes(const Outline& outline, SegmentBoxes& boxes) {
     const int size = outline.size();
     const std::size_t count = (size + window - 1) / window;
-    for (auto* side : {&boxes.low_x, &boxes.high_x, &boxes.low_y, &boxes.high_y}) side->resize(count);
+    for (auto* side : {&boxes.low_x, &boxes.high_x, &boxes.low_y, &boxes.high_y})
+        side->resize(count);
     for (std::size_t b = 0; b < count; ++b) {
         const int begin = static_cast<int>(b) * window;
         Vec2 low = outline[begin], high = low;
@@ -127,11 +136,13 @@ void set_boxes(const Outline& outline, SegmentBoxes& boxes) {
     }
 }
 
-SearchResult search_nearest(const Outline& outline, const SegmentBoxes& boxes, Vec2 drift, double slack, Vec2 point,
-                            Nearest nearest, double horizon, std::vector<double>& lower) {
+SearchResult search_nearest(const Outline& outline, const SegmentBoxes& boxes, Vec2 drift,
+                            double slack, Vec2 point, Nearest nearest, double horizon,
+                            std::vector<double>& lower) {
     const int count = boxes.count();
     lower_bounds(boxes, point - drift, slack, lower.data());
-    const int closest = static_cast<int>(std::min_element(lower.begin(), lower.begin() + count) - lower.begin());
+    const int closest =
+        static_cast<int>(std::min_element(lower.begin(), lower.begin() + count) - lower.begin());
     NearestPoint best = nearest_in_window(outline, point, closest * window, nearest);
     double distance = std::sqrt(best.distance2);
     for (int b = 0; b < count; ++b) {
@@ -144,8 +155,8 @@ SearchResult search_nearest(const Outline& outline, const SegmentBoxes& boxes, V
     SearchResult result{best, window_around(best, outline.size()), distance + horizon};
     for (int b = 0; b < count; ++b) {
         if (lower[b] >= result.outside) continue;
-        result.outside =
-            std::min(result.outside, nearest_outside(outline, point, nearest, b, result.window_first));
+        result.outside = std::min(result.outside,
+                                  nearest_outside(outline, point, nearest, b, result.window_first));
     }
     return result;
 }

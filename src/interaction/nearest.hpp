@@ -10,8 +10,9 @@ namespace tt {
 
 enum class Nearest : std::uint8_t { node, segment };
 
-/// The point of an outline nearest to another point: on segment `segment` (counted from the outline's first node), at
-/// its share `along` (0: its first node). Of equally near segments the lowest.
+/// The point of an outline nearest to another point: on segment `segment` (counted from the
+/// outline's first node), at its share `along` (0: its first node). Of equally near segments the
+/// lowest.
 struct NearestPoint {
     double distance2 = 0.0;
     int segment = 0;
@@ -21,8 +22,8 @@ struct NearestPoint {
 /// Segments examined together.
 inline constexpr int window = 8;
 
-/// Nearest point of `window` segments in a row, starting with `first` (0 … size − 1), past the end of the outline
-/// continuing at its start.
+/// Nearest point of `window` segments in a row, starting with `first` (0 … size − 1), past the end
+/// of the outline continuing at its start.
 NearestPoint nearest_in_window(const Outline& outline, Vec2 point, int first, Nearest nearest);
 
 /// Bounding boxes of each `window` segments of an outline: what lets a search pass over most of it.
@@ -32,17 +33,19 @@ struct SegmentBoxes {
 };
 void set_boxes(const Outline& outline, SegmentBoxes& boxes);
 
-/// The nearest point of the whole outline, a window of segments around it, and a lower bound of the distance of every
-/// segment outside the window (at most `horizon` larger than the nearest distance).
+/// The nearest point of the whole outline, a window of segments around it, and a lower bound of the
+/// distance of every segment outside the window (at most `horizon` larger than the nearest
+/// distance).
 struct SearchResult {
     NearestPoint nearest;
     int window_first = 0;
     double outside = 0.0;
 };
 
-/// Searches the outline. The boxes may be old: the nodes have since moved by `drift` and up to `slack` besides.
-/// `lower` is a work array of at least boxes.count() numbers.
-SearchResult search_nearest(const Outline& outline, const SegmentBoxes& boxes, Vec2 drift, double slack, Vec2 point,
-                            Nearest nearest, double horizon, std::vector<double>& lower);
+/// Searches the outline. The boxes may be old: the nodes have since moved by `drift` and up to
+/// `slack` besides. `lower` is a work array of at least boxes.count() numbers.
+SearchResult search_nearest(const Outline& outline, const SegmentBoxes& boxes, Vec2 drift,
+                            double slack, Vec2 point, Nearest nearest, double horizon,
+                            std::vector<double>& lower);
 
 }  // namespace tt

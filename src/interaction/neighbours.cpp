@@ -57,15 +57,19 @@ void CellBins::sort(const Lattice& lattice, const std::vector<Bounds>& bounds, d
     reach_ = reach;
     double size = 1.0;  // boxes whose corners are two bins apart cannot be within reach
     for (const Bounds& b : bounds)
-        if (b.usable) size = std::max({size, b.high.x - b.low.x + reach, b.high.y - b.low.y + reach});
+        if (b.usable)
+            size = std::max({size, b.high.x - b.low.x + reach, b.high.y - b.low.y + reach});
     nx_ = std::max(1, static_cast<int>(lattice.nx / size));
     ny_ = std::max(1, static_cast<int>(lattice.ny / size));
     const std::size_t n = bounds.size();
     bin_.assign(n, -1);
-    first_.assign(static_cast<std::size_t>(nx_) * ny_ + 1, 0);
+    const std::size_t bins = static_cast<std::size_t>(nx_) * ny_;
+    if (first_.capacity() <= bins) first_.reserve(4 * bins + 1);  // boxes shrink and grow in a run
+    first_.assign(bins + 1, 0);
     for (std::size_t c = 0; c < n; ++c) {
         if (!bounds[c].usable) continue;
-        bin_[c] = bin_along(bounds[c].low.y, lattice.ny, ny_) * nx_ + bin_along(bounds[c].low.x, lattice.nx, nx_);
+        bin_[c] = bin_along(bounds[c].low.y, lattice.ny, ny_) * nx_ +
+                  bin_along(bounds[c].low.x, lattice.nx, nx_);
         ++first_[bin_[c] + 1];
     }
     for (std::size_t b = 1; b < first_.size(); ++b) first_[b] += first_[b - 1];
@@ -85,7 +89,9 @@ void CellBins::add_images(int cell, int other, std::vector<Neighbour>& result) c
     for (int my = py.first; my <= py.last; ++my) {
         for (int mx = px.first; mx <= px.last; ++mx) {
             if (other == cell && mx == 0 && my == 0) continue;
-            result.push_back({other, {static_cast<double>(mx) * lattice_.nx, static_cast<double>(my) * lattice_.ny}});
+            result.push_back(
+                {other,
+                 {static_cast<double>(mx) * lattice_.nx, static_cast<double>(my) * lattice_.ny}});
         }
     }
 }

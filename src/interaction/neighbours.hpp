@@ -9,8 +9,8 @@
 
 namespace tt {
 
-/// The bounding box of an outline. Not `usable`: a position is not finite, or the cell is many boxes long; such a
-/// cell has no neighbours, and the guards report it.
+/// The bounding box of an outline. Not `usable`: a position is not finite, or the cell is many
+/// boxes long; such a cell has no neighbours, and the guards report it.
 struct Bounds {
     Vec2 low, high;
     bool usable = false;
@@ -23,14 +23,16 @@ struct Neighbour {
     Vec2 shift;  ///< whole periods
 };
 
-/// Cells sorted by the place of their bounding boxes, to find neighbours at a cost linear in the number of cells.
+/// Cells sorted by the place of their bounding boxes, to find neighbours at a cost linear in the
+/// number of cells.
 class CellBins {
 public:
     /// Sorts the cells. Allocates only where there are more cells or bins than ever before.
     void sort(const Lattice& lattice, const std::vector<Bounds>& bounds, double reach);
 
-    /// Every image of every cell whose box comes within reach of the box of `cell`, by cell and shift: an order that
-    /// does not depend on the bins. A cell's own images count, itself does not.
+    /// Every image of every cell whose box comes within reach of the box of `cell`, by cell and
+    /// shift: an order that does not depend on the bins. A cell's own images count, itself does
+    /// not.
     void near(int cell, std::vector<Neighbour>& result) const;
 
     const Bounds& bounds(int cell) const { return bounds_[cell]; }
@@ -45,7 +47,7 @@ private:
     int nx_ = 1, ny_ = 1;
     std::vector<std::int32_t> first_;  ///< of each bin in cells_
     std::vector<std::int32_t> cells_;
-    std::vector<std::int32_t> bin_;    ///< of each cell; −1: unusable
+    std::vector<std::int32_t> bin_;  ///< of each cell; −1: unusable
 };
 
 }  // namespace tt

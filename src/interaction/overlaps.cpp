@@ -37,11 +37,13 @@ std::vector<Overlap> find_overlaps(const Lattice& lattice, const Suspension& cel
             const Outline other = outline(cells, neighbour.cell);
             for (int k = cells.first[c]; k < cells.first[c + 1]; ++k) {
                 const Vec2 p = cells.position(k) - neighbour.shift;
-                if (p.x < box.low.x || p.x > box.high.x || p.y < box.low.y || p.y > box.high.y) continue;
+                if (p.x < box.low.x || p.x > box.high.x || p.y < box.low.y || p.y > box.high.y)
+                    continue;
                 if (!inside(other, p)) continue;
                 double depth2 = HUGE_VAL;
                 for (int first = 0; first < other.size(); first += window)
-                    depth2 = std::fmin(depth2, nearest_in_window(other, p, first, Nearest::segment).distance2);
+                    depth2 = std::fmin(
+                        depth2, nearest_in_window(other, p, first, Nearest::segment).distance2);
                 overlaps.push_back({k, c, neighbour.cell, std::sqrt(depth2)});
             }
         }

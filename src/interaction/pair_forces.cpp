@@ -2,25 +2,30 @@
 #include <cmath>
 
 #include "base/isa.hpp"
+#include "base/lesser.hpp"
 #include "base/parallel.hpp"
 #include "interaction/contact.hpp"
 
-// How the search is kept cheap and yet a function of the positions alone: pairs of a node and a cell within reach + skin
-// are listed, with a window of segments around the nearest one and a bound for all others. While no node has moved
-// by more than the skin no pair can be missing; while the nearest segment of the window beats the bound, less what
-// both cells have moved, it is the nearest of all; where it does not, the outline is searched again.
+// How the search is kept cheap and yet a function of the positions alone: pairs of a node and a
+// cell within reach + skin are listed, with a window of segments around the nearest one and a bound
+// for all others. While no node has moved by more than the skin no pair can be missing; while the
+// nearest segment of the window beats the bound, less what both cells have moved, it is the nearest
+// of all; where it does not, the outline is searched again.
 
 namespace tt {
 namespace {
 
-/// How far nodes may move, beyond the common drift, before pairs are listed anew [sites]. Sets cost only.
+/// How far nodes may move, beyond the common drift, before pairs are listed anew [sites]. Sets cost
+/// only.
 constexpr double skin = 1.0;
-/// How much farther than the nearest a segment may be and still be measured for the bound [sites]. Sets cost only.
+/// How much farther than the nearest a segment may be and still be measured for the bound [sites].
+/// Sets cost only.
 constexpr double horizon = 2.0;
 /// Guards the comparison of distances against rounding.
 constexpr double rounding = 1e-6;
 
-/// Common motion of the cells since pairs were listed: any vector would do, the better the fewer lists.
+/// Common motion of the cells since pairs were listed: any vector would do, the better the fewer
+/// lists.
 Vec2 drift_of(const Suspension& cells, const ContactState& contact) {
     Vec2 sum;
     for (int c = 0; c < cells.cell_count(); ++c) {
@@ -30,20 +35,23 @@ Vec2 drift_of(const Suspension& cells, const ContactState& contact) {
     return sum / std::max(1, cells.cell_count());
 }
 
-TT_CLONES double largest_move2(const double* x, const double* y, const double* x0, const double* y0, int count,
-                               Vec2 drift) {
+TT_CLONES double largest_move2(const double* x, const double* y, const double* x0, const double* y0,
+                               int count, Vec2 drift) {
     double largest = 0.0;
+#pragma omp simd reduction(max : largest)
     for (int k = 0; k < count; ++k) {
         const double dx = x[k] - x0[k] - drift.x;
         const double dy = y[k] - y0[k] - drift.y;
         const double d2 = dx * dx + dy * dy;
-        largest = d2 > largest ? d2 : largest;
+        largest = greater(largest, d2);
     }
     return largest;
 }
 
-/// Are the lists of the state given still complete? Sets `moved` of this thread's cells; the same answer on all.
-bool lists_hold(const ContactModel& model, const Suspension& cells, ContactState& contact, Vec2& drift) {
+/// Are the lists of the state given still complete? Sets `moved` of this thread's cells; the same
+/// answer on all.
+bool lists_hold(const ContactModel& model, const Suspension& cells, ContactState& contact,
+                Vec2& drift) {
     if (contact.listed_reach != model.reach() || contact.listed_x.size() != cells.x.size() ||
         static_cast<int>(contact.cells.size()) != cells.cell_count()) {
         team_barrier();  // all must have looked before one of them changes it
@@ -54,8 +62,8 @@ bool lists_hold(const ContactModel& model, const Suspension& cells, ContactState
     for (int c = begin; c < end; ++c) {
         const int k = cells.first[c];
         contact.cells[c].moved =
-            std::sqrt(largest_move2(&cells.x[k], &cells.y[k], &contact.listed_x[k], &contact.listed_y[k],
-                                    cells.node_count(c), drift));
+            std::sqrt(largest_move2(&cells.x[k], &cells.y[k], &contact.listed_x[k],
+                                    &contact.listed_y[k], cells.node_count(c), drift));
     }
     team_barrier();
     return std::all_of(contact.cells.begin(), contact.cells.end(),
@@ -66,22 +74,30 @@ Vec2 node_in_frame(const Suspension& cells, const ContactPair& pair) {
     return cells.position(pair.node) - pair.shift;
 }
 
-/// Searches the whole other outline for the point nearest to the node of `pair` and sets the pair's window.
-NearestPoint search_again(const ContactModel& model, const Suspension& cells, const ContactState& contact,
-                          CellContacts& mine, Vec2 drift, ContactPair& pair) {
+/// Searches the whole other outline for the point nearest to the node of `pair` and sets the pair's
+/// window.
+NearestPoint search_again(const ContactModel& model, const Suspension& cells,
+                          const ContactState& contact, CellContacts& mine, Vec2 drift,
+                          ContactPair& pair) {
     const CellContacts& other = contact.cells[pair.other];
     mine.lower.resize(std::max(mine.lower.size(), static_cast<std::size_t>(other.boxes.count())));
-    const SearchResult found = search_nearest(outline(cells, pair.other), other.boxes, drift, other.moved,
-                                              node_in_frame(cells, pair), model.nearest, horizon, mine.lower);
+    const SearchResult found =
+        search_nearest(outline(cells, pair.other), other.boxes, drift, other.moved,
+                       node_in_frame(cells, pair), model.nearest, horizon, mine.lower);
     pair.window_first = found.window_first;
     pair.outside = found.outside - mine.moved - other.moved;
     return found.nearest;
 }
 
 /// Lists the pairs of one cell.
-void list_pairs(const ContactModel& model, const Suspension& cells, ContactState& contact, int cell) {
+void list_pairs(const ContactModel& model, const Suspension& cells, ContactState& contact,
+                int cell) {
     CellContacts& mine = contact.cells[cell];
     const double reach = contact.listed_reach + 2.0 * skin;
+    // Room for every node to have two neighbours, so that lists seldom grow during a run.
+    mine.pairs.reserve(2 * cells.node_count(cell));
+    mine.hits.reserve(2 * cells.node_count(cell));
+    mine.neighbours.reserve(32);
     mine.pairs.clear();
     contact.bins.near(cell, mine.neighbours);
     for (const Neighbour& neighbour : mine.neighbours) {
@@ -96,7 +112,7 @@ void list_pairs(const ContactModel& model, const Suspension& cells, ContactState
             if (found.distance2 <= reach * reach) mine.pairs.push_back(pair);
         }
     }
-    mine.hits.reserve(mine.pairs.size());
+    mine.hits.reserve(mine.pairs.capacity());
 }
 
 /// Lists all pairs anew. Allocates where there are more pairs than ever before.
@@ -117,12 +133,14 @@ void list_all_pairs(const ContactModel& model, const Lattice& lattice, const Sus
         set_boxes(outline(cells, c), contact.cells[c].boxes);
     }
     team_barrier();
-    on_one_thread([&] { contact.bins.sort(lattice, contact.bounds, contact.listed_reach + 2.0 * skin); });
+    on_one_thread(
+        [&] { contact.bins.sort(lattice, contact.bounds, contact.listed_reach + 2.0 * skin); });
     for (int c = begin; c < end; ++c) list_pairs(model, cells, contact, c);
     team_barrier();
 }
 
-/// Outward direction of the outline at a node, not normalised: the mean of the normals of its segments.
+/// Outward direction of the outline at a node, not normalised: the mean of the normals of its
+/// segments.
 Vec2 outward_at_node(const Outline& outline, int node) {
     const int size = outline.size();
     const Vec2 here = outline[node];
@@ -131,8 +149,8 @@ Vec2 outward_at_node(const Outline& outline, int node) {
     return turned_right(before * norm(after) + after * norm(before));
 }
 
-/// The hit of a pair whose nearest point is given: gap with its sign, and direction. A point at a node is
-/// always told as the start of the segment after it, so that equal points give equal bits.
+/// The hit of a pair whose nearest point is given: gap with its sign, and direction. A point at a
+/// node is always told as the start of the segment after it, so that equal points give equal bits.
 ContactHit hit_of(const Suspension& cells, const ContactPair& pair, NearestPoint at) {
     const Outline other = outline(cells, pair.other);
     const int size = other.size();
@@ -155,7 +173,8 @@ ContactHit hit_of(const Suspension& cells, const ContactPair& pair, NearestPoint
     return hit;
 }
 
-/// Half the arc length that belongs to a node: each of the two membranes contributes half of the pressure.
+/// Half the arc length that belongs to a node: each of the two membranes contributes half of the
+/// pressure.
 double share_of(const Suspension& cells, int cell, int node) {
     const int first = cells.first[cell], last = cells.first[cell + 1] - 1;
     const Vec2 here = cells.position(node);
@@ -165,13 +184,14 @@ double share_of(const Suspension& cells, int cell, int node) {
 }
 
 /// Finds the pairs of one cell that are within reach now.
-void find_hits(const ContactModel& model, const Suspension& cells, ContactState& contact, int cell, Vec2 drift) {
+void find_hits(const ContactModel& model, const Suspension& cells, ContactState& contact, int cell,
+               Vec2 drift) {
     CellContacts& mine = contact.cells[cell];
     const double reach2 = contact.listed_reach * contact.listed_reach;
     mine.hits.clear();
     for (ContactPair& pair : mine.pairs) {
-        NearestPoint at =
-            nearest_in_window(outline(cells, pair.other), node_in_frame(cells, pair), pair.window_first, model.nearest);
+        NearestPoint at = nearest_in_window(outline(cells, pair.other), node_in_frame(cells, pair),
+                                            pair.window_first, model.nearest);
         const double bound = pair.outside - mine.moved - contact.cells[pair.other].moved - rounding;
         if (!(bound > 0.0 && at.distance2 < bound * bound)) {
             at = search_again(model, cells, contact, mine, drift, pair);
@@ -226,8 +246,10 @@ void add_hits(Suspension& cells, const ContactState& contact, int begin, int end
     }
 }
 
-/// Short-range repulsion of the walls at y = 0 and y = ny from the nodes of one cell; returns how many felt it.
-std::int64_t repel_from_walls(const ContactModel& model, const Lattice& lattice, Suspension& cells, int cell) {
+/// Short-range repulsion of the walls at y = 0 and y = ny from the nodes of one cell; returns how
+/// many felt it.
+std::int64_t repel_from_walls(const ContactModel& model, const Lattice& lattice, Suspension& cells,
+                              int cell) {
     const ShortRangeRepulsion repulsion{model.repulsion_range, model.repulsion_strength};
     std::int64_t count = 0;
     for (int k = cells.first[cell]; k < cells.first[cell + 1]; ++k) {
@@ -243,7 +265,8 @@ std::int64_t repel_from_walls(const ContactModel& model, const Lattice& lattice,
 
 }  // namespace
 
-void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspension& cells, ContactState& contact) {
+void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspension& cells,
+                     ContactState& contact) {
     if (!(model.reach() > 0.0)) return;
     Vec2 drift;
     if (!lists_hold(model, cells, contact, drift)) {
@@ -258,7 +281,8 @@ void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspensi
     team_barrier();
     add_hits(cells, contact, begin, end);
     if (lattice.walls && model.repulsion_range > 0.0) {
-        for (int c = begin; c < end; ++c) contact.cells[c].repelled += repel_from_walls(model, lattice, cells, c);
+        for (int c = begin; c < end; ++c)
+            contact.cells[c].repelled += repel_from_walls(model, lattice, cells, c);
     }
     team_barrier();
     on_one_thread([&] {

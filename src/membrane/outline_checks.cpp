@@ -39,7 +39,8 @@ std::optional<SelfCrossing> self_crossing(const Outline& outline) {
     const auto crossing = [&](int k, int m) {
         if (m == k + 1) return folds_back(outline[k], outline[m], end(m));
         if (k == 0 && m == n - 1) return folds_back(outline[m], outline[k], end(k));
-        return within(outline[m].y, outline[k].y, end(k).y) || within(end(m).y, outline[k].y, end(k).y) ||
+        return within(outline[m].y, outline[k].y, end(k).y) ||
+                       within(end(m).y, outline[k].y, end(k).y) ||
                        within(outline[k].y, outline[m].y, end(m).y)
                    ? meet(outline[k], end(k), outline[m], end(m))
                    : false;

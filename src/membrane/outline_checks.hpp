@@ -12,10 +12,11 @@ struct SelfCrossing {
     int second = 0;
 };
 
-/// The crossing with the lowest `first`, then the lowest `second`; nothing for a simple outline. Segments that share a node do
-/// not count, except where they fold back onto each other. Sorted by x, each segment is compared with those whose x range
-/// overlaps its own: n log n, plus the pairs on opposite sides. Allocates; for guards, not for every step. Precondition:
-/// positions are finite.
+/// The crossing with the lowest `first`, then the lowest `second`; nothing for a simple outline.
+/// Segments that share a node do not count, except where they fold back onto each other. Sorted by
+/// x, each segment is compared with those whose x range overlaps its own: n log n, plus the pairs
+/// on opposite sides. Allocates; for guards, not for every step. Precondition: positions are
+/// finite.
 std::optional<SelfCrossing> self_crossing(const Outline& outline);
 
 }  // namespace tt

@@ -11,7 +11,10 @@ void derive(const Model& model, State& state) {
     state.relaxation = Relaxation(lattice);
     state.stencils = Stencils(state.cells.node_count());
     locate(model.delta, lattice, state.cells, state.stencils);
-    rebuild_viscosity(model.viscosity, state.cells, state.interior, state.relaxation);
+    if (state.interior.x.size() == state.cells.x.size())  // kept by a checkpoint
+        restore_viscosity(model.viscosity, state.cells, state.interior, state.relaxation);
+    else
+        rebuild_viscosity(model.viscosity, state.cells, state.interior, state.relaxation);
 }
 
 }  // namespace tt

@@ -55,7 +55,8 @@ TEST(Morse, pressure_is_minus_the_slope_of_the_potential) {
         for (double gap = -1.0; gap < 12.0; gap += 0.0831) {
             const double dr = 1e-5;
             const double slope =
-                (paper_like.potential(gap + dr, alpha) - paper_like.potential(gap - dr, alpha)) / (2 * dr);
+                (paper_like.potential(gap + dr, alpha) - paper_like.potential(gap - dr, alpha)) /
+                (2 * dr);
             EXPECT_NEAR(paper_like.pressure(gap, alpha), -slope, 1e-7) << gap;
         }
     }
@@ -85,7 +86,8 @@ TEST(Contact, cells_repel_when_close_and_attract_when_apart) {
 
 TEST(Contact, force_and_torque_balance) {
     for (const Nearest nearest : {Nearest::segment, Nearest::node}) {
-        // All near one origin: unwrapped positions several periods away would only add rounding to the torque.
+        // All near one origin: unwrapped positions several periods away would only add rounding to
+        // the torque.
         Suspension cells = two_circles(1.3);
         add_cell(cells, placed(ellipse(9.0, 4.0, 50), 0.3, {30.0, 33.0}));
         ContactModel model = morse_model(nearest);
@@ -108,8 +110,8 @@ TEST(Contact, force_and_torque_balance) {
     }
 }
 
-/// Force between two circles from the mean of both membranes' integrals of f(r), r the exact distance of a point of one
-/// circle to the other, along the line through the other's centre.
+/// Force between two circles from the mean of both membranes' integrals of f(r), r the exact
+/// distance of a point of one circle to the other, along the line through the other's centre.
 double attraction_of_circles(double radius, double gap) {
     const double centre_distance = 2.0 * radius + gap;
     const int points = 20000;
@@ -119,7 +121,8 @@ double attraction_of_circles(double radius, double gap) {
         const Vec2 from_other{radius * std::cos(angle) - centre_distance, radius * std::sin(angle)};
         const double distance = norm(from_other);
         const double r = distance - radius;
-        force += paper_like.pressure(r, 1.0) * from_other.x / distance * 2.0 * std::numbers::pi * radius / points;
+        force += paper_like.pressure(r, 1.0) * from_other.x / distance * 2.0 * std::numbers::pi *
+                 radius / points;
     }
     return force;
 }
@@ -133,7 +136,8 @@ TEST(Contact, of_circles_converges_to_the_integral_at_second_order) {
         add_cell(cells, placed(circle(8.0, nodes), 0.0, {20.0, 30.0}));
         add_cell(cells, placed(circle(8.0, nodes), 0.4, {39.0, 30.0}));
         ContactModel model = morse_model();
-        model.range = 40.0;  // the cut at R is a jump: with it in reach the order would be lost in its noise
+        model.range =
+            40.0;  // the cut at R is a jump: with it in reach the order would be lost in its noise
         ContactState contact;
         add_pair_forces(model, {200, 60, true}, cells, contact);
         double force = 0.0;
@@ -177,7 +181,8 @@ TEST(Contact, reaches_across_the_periodic_end_whatever_the_period) {
     add_pair_forces(morse_model(), lattice, plain, contact_plain);
     add_pair_forces(morse_model(), lattice, across, contact_across);
     ASSERT_GT(largest_force(plain), 1e-3);
-    for (int k = 0; k < plain.node_count(); ++k) EXPECT_LT(norm(plain.force(k) - across.force(k)), 1e-11);
+    for (int k = 0; k < plain.node_count(); ++k)
+        EXPECT_LT(norm(plain.force(k) - across.force(k)), 1e-11);
 }
 
 TEST(Contact, a_cell_meets_its_own_image) {
@@ -217,12 +222,14 @@ Suspension by_brute_force(const ContactModel& model, const Lattice& lattice, Sus
                     if (best > model.range) continue;
                     const int s = best_segment;
                     const int e = s + 1 < cells.first[b + 1] ? s + 1 : cells.first[b];
-                    const Vec2 q = cells.position(s) + best_t * (cells.position(e) - cells.position(s)) + shift;
+                    const Vec2 q = cells.position(s) +
+                                   best_t * (cells.position(e) - cells.position(s)) + shift;
                     const int before = k > cells.first[a] ? k - 1 : cells.first[a + 1] - 1;
                     const int after = k + 1 < cells.first[a + 1] ? k + 1 : cells.first[a];
                     const double ds = 0.5 * (norm(cells.position(k) - cells.position(before)) +
                                              norm(cells.position(k) - cells.position(after)));
-                    const Vec2 f = 0.5 * law.pressure(best, 1.0) * ds / best * (cells.position(k) - q);
+                    const Vec2 f =
+                        0.5 * law.pressure(best, 1.0) * ds / best * (cells.position(k) - q);
                     cells.fx[k] += f.x;
                     cells.fy[k] += f.y;
                     cells.fx[s] -= (1.0 - best_t) * f.x;
@@ -346,7 +353,8 @@ TEST(Overlaps, are_found_with_their_depth_and_only_where_they_are) {
     EXPECT_TRUE(find_overlaps(lattice, apart).empty());
     Suspension cells;
     add_cell(cells, placed(circle(8.0, 200), 0.0, {20.0, 20.0}));
-    add_cell(cells, placed(circle(8.0, 200), 0.0, {35.0 + 300.0, 20.0}));  // overlap 1, three periods on
+    add_cell(cells,
+             placed(circle(8.0, 200), 0.0, {35.0 + 300.0, 20.0}));  // overlap 1, three periods on
     const std::vector<Overlap> overlaps = find_overlaps(lattice, cells);
     ASSERT_FALSE(overlaps.empty());
     double deepest = 0.0;
@@ -357,7 +365,8 @@ TEST(Overlaps, are_found_with_their_depth_and_only_where_they_are) {
         found.insert(o.node);
     }
     EXPECT_NEAR(deepest, 1.0, 0.01);
-    for (int k = 0; k < 200; ++k) EXPECT_EQ(found.count(k), norm(cells.position(k) - Vec2{35.0, 20.0}) < 7.999);
+    for (int k = 0; k < 200; ++k)
+        EXPECT_EQ(found.count(k), norm(cells.position(k) - Vec2{35.0, 20.0}) < 7.999);
 }
 
 TEST(Overlaps, of_a_cell_wholly_inside_another_are_all_its_nodes) {
@@ -385,7 +394,8 @@ TEST(SelfCrossing, is_found_where_a_node_was_pulled_through) {
         Suspension cells;
         add_cell(cells, placed(circle(10.0, 60), random.uniform(0.0, 7.0), {5.0, 5.0}));
         const int k = static_cast<int>(random.uniform(1.0, 59.0));
-        const Vec2 through{10.0 - 1.05 * (cells.x[k] - 5.0) - 5.0, 10.0 - 1.05 * (cells.y[k] - 5.0) - 5.0};
+        const Vec2 through{10.0 - 1.05 * (cells.x[k] - 5.0) - 5.0,
+                           10.0 - 1.05 * (cells.y[k] - 5.0) - 5.0};
         cells.x[k] = through.x;
         cells.y[k] = through.y;
         const auto crossing = self_crossing(outline(cells, 0));

@@ -8,9 +8,9 @@
 namespace tt {
 namespace {
 
-/// A piece of a segment within one square (c, r): covers `run` (signed, positive to the right) of the width of the
-/// column, at mean height `y`. All squares above are covered over the whole run, this one over (r + 1 − y) of it.
-/// Stored as increments along y, to be summed later.
+/// A piece of a segment within one square (c, r): covers `run` (signed, positive to the right) of
+/// the width of the column, at mean height `y`. All squares above are covered over the whole run,
+/// this one over (r + 1 − y) of it. Stored as increments along y, to be summed later.
 TT_INLINE void add_piece(double run, double y, int c, int r, Patch& patch) {
     const double here = run * (r + 1 - y);
     patch.row(r)[c] += here;
@@ -54,8 +54,10 @@ void add_segment(Vec2 a, Vec2 b, Patch& patch) {
     for (int c = first; c <= last; ++c) {
         const double x1 = c == last ? right.x : c + 1.0;
         const double y1 = c == last ? right.y : left.y + (x1 - left.x) * slope;
-        if (forward) add_in_column(x, y, x1, y1, c, patch);
-        else add_in_column(x1, y1, x, y, c, patch);
+        if (forward)
+            add_in_column(x, y, x1, y1, c, patch);
+        else
+            add_in_column(x1, y1, x, y, c, patch);
         x = x1;
         y = y1;
     }

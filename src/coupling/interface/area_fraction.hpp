@@ -6,8 +6,9 @@
 
 namespace tt {
 
-/// The fraction of the unit square around a site that lies inside the outline, exact for the polygon: the area under
-/// each segment is summed with its sign, square by square. Σ over sites = area of the cell. Needs no interior method.
+/// The fraction of the unit square around a site that lies inside the outline, exact for the
+/// polygon: the area under each segment is summed with its sign, square by square. Σ over sites =
+/// area of the cell. Needs no interior method.
 struct AreaFraction {
     static constexpr std::string_view name = "area-fraction";
     static constexpr double reach() { return 0.0; }

@@ -6,8 +6,8 @@
 
 namespace tt {
 
-/// A site has the viscosity of the side on which it lies. First order: the membrane is in effect displaced by up to
-/// half a site.
+/// A site has the viscosity of the side on which it lies. First order: the membrane is in effect
+/// displaced by up to half a site.
 struct SharpInterface {
     static constexpr std::string_view name = "sharp";
     static constexpr double reach() { return 0.0; }

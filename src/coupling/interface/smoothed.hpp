@@ -6,9 +6,9 @@
 
 namespace tt {
 
-/// The fraction passes from 0 to 1 over ± half_width sites by the signed distance d to the membrane, positive inside:
-/// H(s) = ½ + (15 s − 10 s³ + 3 s⁵)/16 with s = d/half_width in [−1, 1], the polynomial step with two continuous
-/// derivatives.
+/// The fraction passes from 0 to 1 over ± half_width sites by the signed distance d to the
+/// membrane, positive inside: H(s) = ½ + (15 s − 10 s³ + 3 s⁵)/16 with s = d/half_width in [−1, 1],
+/// the polynomial step with two continuous derivatives.
 struct SmoothedInterface {
     static constexpr std::string_view name = "smoothed";
     double half_width = 2.0;

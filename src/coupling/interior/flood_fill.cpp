@@ -8,13 +8,15 @@
 namespace tt {
 namespace {
 
-/// Per site, whether the outline cuts the link to its right and to its upper neighbour an odd number of times.
+/// Per site, whether the outline cuts the link to its right and to its upper neighbour an odd
+/// number of times.
 struct CutLinks {
     std::vector<std::uint8_t> right, up;
 };
 
 CutLinks cut_links(const LocalOutline& outline, const Patch& patch) {
-    CutLinks cut{std::vector<std::uint8_t>(patch.value.size()), std::vector<std::uint8_t>(patch.value.size())};
+    CutLinks cut{std::vector<std::uint8_t>(patch.value.size()),
+                 std::vector<std::uint8_t>(patch.value.size())};
     for (int k = 0; k < outline.segments(); ++k) {
         const Vec2 a{snapped(outline.x[k]), snapped(outline.y[k])};
         const Vec2 b{snapped(outline.x[k + 1]), snapped(outline.y[k + 1])};
@@ -26,9 +28,11 @@ CutLinks cut_links(const LocalOutline& outline, const Patch& patch) {
             for (int c = std::max(c0, 0); c <= std::min(c1, patch.width - 2); ++c) {
                 const Vec2 site{c + 0.5, r + 0.5};
                 const std::size_t at = static_cast<std::size_t>(r) * patch.width + c;
-                if (passes(a.y, b.y, site.y) && right_of(a, b, site) != right_of(a, b, {site.x + 1.0, site.y}))
+                if (passes(a.y, b.y, site.y) &&
+                    right_of(a, b, site) != right_of(a, b, {site.x + 1.0, site.y}))
                     cut.right[at] ^= 1;
-                if (passes(a.x, b.x, site.x) && above(a, b, site) != above(a, b, {site.x, site.y + 1.0}))
+                if (passes(a.x, b.x, site.x) &&
+                    above(a, b, site) != above(a, b, {site.x, site.y + 1.0}))
                     cut.up[at] ^= 1;
             }
         }

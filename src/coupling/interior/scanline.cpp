@@ -8,8 +8,8 @@
 namespace tt {
 namespace {
 
-/// First row whose site in the column at x lies above the segment. The division may be off by one row where the
-/// crossing is close to a site; the exact test settles it.
+/// First row whose site in the column at x lies above the segment. The division may be off by one
+/// row where the crossing is close to a site; the exact test settles it.
 int first_row_above(Vec2 a, Vec2 b, double x) {
     const double crossing = a.y + (x - a.x) * ((b.y - a.y) / (b.x - a.x));
     int r = static_cast<int>(std::ceil(crossing - 0.5));

@@ -2,7 +2,14 @@
 
 #include <variant>
 
+#include "base/isa.hpp"
+
 namespace tt {
+
+/// 1/τ⁺ and 1/τ⁻ of a site.
+struct Rates {
+    double even, odd;
+};
 
 /// Two relaxation times (Ginzburg 2005): (τ⁺ − ½)(τ⁻ − ½) = Λ. Λ = 3/16 puts half-way walls exactly
 /// for Poiseuille flow whatever the viscosity.
@@ -13,11 +20,23 @@ struct Trt {
         const double half_step = 1.0 / even - 0.5;
         return half_step / (0.5 * half_step + magic);
     }
+    /// Both rates for lattice kinematic viscosity ν = (τ⁺ − ½)/3, with one division for the two.
+    TT_INLINE Rates rates(double viscosity) const {
+        const double half_step = 3.0 * viscosity;
+        const double even = half_step + 0.5;          // τ⁺
+        const double odd = 0.5 * half_step + magic;   // τ⁻ · half_step
+        const double inverse = 1.0 / (even * odd);
+        return {odd * inverse, half_step * even * inverse};
+    }
 };
 
 /// One relaxation time (Eq. 1 of the paper).
 struct Bgk {
     double odd_rate(double even) const { return even; }
+    TT_INLINE Rates rates(double viscosity) const {
+        const double even = 1.0 / (3.0 * viscosity + 0.5);
+        return {even, even};
+    }
 };
 
 using Collision = std::variant<Trt, Bgk>;

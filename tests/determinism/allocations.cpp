@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "coupling/viscosity.hpp"
+#include "interaction/contact.hpp"
+#include "random_cells.hpp"
+
+namespace {
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t size, std::size_t alignment) {
+    ++allocations;
+    void* p = nullptr;
+    if (posix_memalign(&p, alignment < sizeof(void*) ? sizeof(void*) : alignment, size) != 0)
+        throw std::bad_alloc();
+    return p;
+}
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t a) {
+    return counted(size, static_cast<std::size_t>(a));
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+
+namespace {
+
+using namespace tt;
+
+TEST(Allocations, none_in_the_viscosity_and_contact_passes_once_their_arrays_are_there) {
+    const Lattice lattice{120, 90, true};
+    for (const InterfaceViscosity& interface :
+         {InterfaceViscosity{SmoothedInterface{}}, InterfaceViscosity{AreaFraction{}},
+          InterfaceViscosity{BlurredFraction{}}}) {
+        ViscosityModel viscosity;
+        viscosity.interface = interface;
+        ContactModel contact_model;
+        contact_model.law = Morse{0.02, 0.77, 2.45, true};
+        contact_model.range = 9.0;
+        Suspension cells = random_cells::suspension(5, 4, 3, 30.0, 11.0, 70);
+        Random random(6);
+        InteriorState interior;
+        Relaxation relaxation(lattice);
+        ContactState contact;
+        rebuild_viscosity(viscosity, cells, interior, relaxation);
+        long before = 0;
+        for (int n = 0; n < 200; ++n) {
+            if (n == 100) before = allocations;
+            random_cells::jiggle(cells, random, 0.02);
+            add_pair_forces(contact_model, lattice, cells, contact);
+            update_viscosity(viscosity, cells, interior, relaxation);
+        }
+        EXPECT_GT(before, 0);
+        EXPECT_EQ(allocations, before);
+    }
+}
+
+}  // namespace
