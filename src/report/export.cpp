@@ -73,7 +73,8 @@ std::string nodes_table(const FramesHeader& header, const Frame& frame) {
     auto out = std::back_inserter(text);
     fmt::format_to(
         out,
-        "cell,node,x [m],y [m],force_x [N/m],force_y [N/m],velocity_x [m/s],velocity_y [m/s]\n");
+        "cell,node,x [m],y [m],force_x [N/m],force_y [N/m],"
+                   "velocity_x [m/s],velocity_y [m/s]\n");
     for (int c = 0; c < cell_count(header); ++c) {
         const auto begin = static_cast<std::size_t>(header.first[static_cast<std::size_t>(c)]);
         const auto end = static_cast<std::size_t>(header.first[static_cast<std::size_t>(c) + 1]);
@@ -109,11 +110,11 @@ frames.csv         frame   number that the other files carry
                    step    time step
 nodes_NNNNNN.csv   membrane nodes, counter-clockwise around each cell
                    cell, node              numbers from 0
-                   x, y                    position [m]; x is not wrapped: it counts on when a cell leaves through an end
+                   x, y                    position [m]; x counts on when a cell leaves through an end
                    force_x, force_y        force of the node on the fluid, per unit depth [N/m]
                    velocity_x, velocity_y  [m/s]
 fields_NNNNNN.csv  sites of the lattice, row after row from the bottom wall
-                   x, y                    position [m]; walls are half a spacing below the first row and above the last
+                   x, y                    position [m]; walls stand half a spacing beyond the end rows
                    velocity_x, velocity_y  [m/s]
                    pressure                above its value at rest [Pa]
                    cytoplasm               share of cytoplasm at the site, 0 to 1

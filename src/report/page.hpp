@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "report/figures.hpp"
 #include "report/page_data.hpp"
@@ -12,9 +14,6 @@ namespace tt {
 /// player. `figures_folder` holds what was drawn; the page links to its data by the relative path
 /// figures/.
 std::string report_page(std::span<const Results> runs, const std::vector<Figure>& figures,
-                        const std::filesystem::path& figures_folder, PageLimits limits);
-
-/// Text that shows as itself in HTML.
-std::string html(std::string_view text);
+                        const std::filesystem::path& figures_folder, const PageLimits& limits);
 
 }  // namespace tt

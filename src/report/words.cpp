@@ -46,17 +46,18 @@ std::string cells_words(const Results& run) {
     if (run.setting("numerics.fluid_only") == "true") return "There are no cells.";
     std::string count = run.setting("cells.count");
     if (count.empty() && run.frames) count = std::to_string(run.frames->header().first.size() - 1);
-    const std::string hematocrit = run.setting("cells.hematocrit");
     std::string text = count.empty() ? "Cells" : count + (count == "1" ? " cell" : " cells");
-    if (const std::string shape = run.setting("cells.shape"); !shape.empty())
-        text += " that start as " + shape;
-    if (const std::string radius = run.setting("cells.radius"); !radius.empty())
-        text += " of radius " + pretty(radius);
-    if (!hematocrit.empty()) text += ", hematocrit " + hematocrit;
-    if (const std::string inside = run.setting("cells.cytoplasm_viscosity"); !inside.empty())
-        text += ", cytoplasm of " + inside;
-    if (const std::string outside = run.setting("plasma.viscosity"); !outside.empty())
-        text += " in plasma of " + outside;
+    std::vector<std::string> details;
+    const auto add = [&](const std::string& label, const char* key) {
+        const std::string value = run.setting(key);
+        if (!value.empty()) details.push_back(label + pretty(value));
+    };
+    add("shape at the start ", "cells.shape");
+    add("radius ", "cells.radius");
+    add("hematocrit ", "cells.hematocrit");
+    add("cytoplasm ", "cells.cytoplasm_viscosity");
+    add("plasma ", "plasma.viscosity");
+    if (!details.empty()) text += fmt::format(": {}", fmt::join(details, ", "));
     return text + ".";
 }
 
@@ -86,6 +87,22 @@ std::string grid_words(const Results& run) {
     if (const std::string end = run.setting("time.end"); !end.empty())
         text += (text.empty() ? "" : "; ") + ("end at " + end);
     return text.empty() ? "" : text + ".";
+}
+
+/// " × 10⁻⁴".
+std::string times_power_of_ten(int power) {
+    static constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴",
+                                                        "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = power < 0 ? " × 10⁻" : " × 10";
+    for (const char digit : std::to_string(std::abs(power)))
+        text += raised[static_cast<std::size_t>(digit - '0')];
+    return text;
+}
+
+/// The sign that is as wide as a plus.
+std::string with_minus(std::string text) {
+    if (!text.empty() && text.front() == '-') text.replace(0, 1, "−");
+    return text;
 }
 
 double site_spacing(const Results& run) {
@@ -176,11 +193,12 @@ std::string unfinished_note(const Results& run) {
 }
 
 DisplayUnit display_unit(const std::string& si_unit) {
-    static const std::array<std::pair<const char*, DisplayUnit>, 5> known{
+    static const std::array<std::pair<const char*, DisplayUnit>, 6> known{
         {{"m", {1e6, "µm"}},
          {"s", {1e3, "ms"}},
          {"m/s", {1e3, "mm/s"}},
          {"Pa s", {1e3, "mPa s"}},
+         {"Pa/m", {1e-3, "kPa/m"}},
          {"m^2/s", {1e9, "10⁻⁹ m²/s"}}}};
     for (const auto& [si, unit] : known)
         if (si_unit == si) return unit;
@@ -191,15 +209,23 @@ std::string number_text(double value, int digits) {
     if (!std::isfinite(value)) return "–";
     std::string text = fmt::format("{:.{}g}", value, digits);
     if (const auto at = text.find('e'); at != std::string::npos) {
-        static constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴",
-                                                            "⁵", "⁶", "⁷", "⁸", "⁹"};
-        const int power = std::atoi(text.c_str() + at + 1);
-        text = text.substr(0, at) + " × 10" + (power < 0 ? "⁻" : "");
-        for (const char digit : std::to_string(std::abs(power)))
-            text += raised[static_cast<std::size_t>(digit - '0')];
+        text = text.substr(0, at) + times_power_of_ten(std::atoi(text.c_str() + at + 1));
     }
-    if (text.front() == '-') text.replace(0, 1, "−");
-    return text;
+    return with_minus(text);
+}
+
+std::string with_scatter(double mean, double scatter) {
+    if (!std::isfinite(mean) || !std::isfinite(scatter) || scatter <= 1e-12 * std::abs(mean))
+        return number_text(mean);
+    const double largest = std::max(std::abs(mean), scatter);
+    const int power = static_cast<int>(std::floor(std::log10(largest)));
+    const bool plain = power >= -3 && power < 5;
+    const double unit = plain ? 1.0 : std::pow(10.0, power);
+    const int decimals =
+        std::clamp(1 - static_cast<int>(std::floor(std::log10(scatter / unit))), 0, 6);
+    const std::string text = with_minus(fmt::format("{:.{}f}", mean / unit, decimals)) +
+                             fmt::format(" ± {:.{}f}", scatter / unit, decimals);
+    return plain ? text : fmt::format("({}){}", text, times_power_of_ten(power));
 }
 
 }  // namespace tt

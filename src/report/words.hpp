@@ -36,4 +36,9 @@ struct DisplayUnit {
 DisplayUnit display_unit(const std::string& si_unit);
 std::string number_text(double value, int digits = 4);
 
+/// Mean ± scatter, both to the decimal of the scatter's second digit, with a common power of ten
+/// where numbers are very large or small: "1.1143 ± 0.0074", "(4.00 ± 0.86) × 10⁻⁴". A scatter at
+/// the level of rounding counts as none.
+std::string with_scatter(double mean, double scatter);
+
 }  // namespace tt

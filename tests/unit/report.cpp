@@ -123,6 +123,10 @@ TEST(Words, numbers_are_written_as_people_write_them) {
     EXPECT_EQ(number_text(539800.0), "5.398 × 10⁵");
     EXPECT_EQ(number_text(-1.5e-7, 2), "−1.5 × 10⁻⁷");
     EXPECT_EQ(number_text(std::nan("")), "–");
+    EXPECT_EQ(with_scatter(1.11428, 0.00742), "1.1143 ± 0.0074");
+    EXPECT_EQ(with_scatter(3.997e-4, 8.6e-5), "(4.00 ± 0.86) × 10⁻⁴");
+    EXPECT_EQ(with_scatter(-13.01, 2.5), "−13.0 ± 2.5");
+    EXPECT_EQ(with_scatter(0.377, 5e-17), "0.377");
 }
 
 }  // namespace

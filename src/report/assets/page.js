@@ -34,7 +34,7 @@
   }
 
   function makeChart(box, initial) {
-    const select = box.querySelector("select"), place = box.querySelector(".place"), note = box.querySelector(".meaning");
+    const select = box.querySelector("select"), place = box.querySelector(".place"), note = box.querySelector(".meaning-note");
     const keys = [...new Set(data.runs.flatMap((run) => run.columns.map((c) => c.key)))].filter((k) => k !== "time" && k !== "step");
     for (const key of keys) select.add(new Option(key, key, key === initial, key === initial));
     let plot = null;

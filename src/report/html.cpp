@@ -1,0 +1,60 @@
+#include "report/html.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace tt {
+namespace {
+
+std::string class_attribute(std::string_view kind) {
+    return kind.empty() ? "" : fmt::format(" class=\"{}\"", kind);
+}
+
+}  // namespace
+
+std::string html(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '&')
+            result += "&amp;";
+        else if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += c;
+    }
+    return result;
+}
+
+HtmlTable::HtmlTable(std::string_view caption, std::vector<Column> columns)
+    : caption_(caption), columns_(std::move(columns)) {}
+
+void HtmlTable::add_row(const std::vector<std::string>& texts, std::string_view kind) {
+    rows_ +=
+        fmt::format("<tr{}><th scope=\"row\">{}</th>", class_attribute(kind), html(texts.front()));
+    for (std::size_t c = 1; c < columns_.size(); ++c) {
+        rows_ += fmt::format("<td{}>{}</td>", class_attribute(columns_[c].kind), html(texts[c]));
+    }
+    rows_ += "</tr>\n";
+}
+
+std::string HtmlTable::text() const {
+    std::string head, caption;
+    for (const Column& column : columns_) {
+        // Only numbers want their title on their side; other classes are about the cells.
+        const std::string_view kind = column.kind == "number" ? "number" : "";
+        head +=
+            fmt::format("<th scope=\"col\"{}>{}</th>", class_attribute(kind), html(column.title));
+    }
+    if (!caption_.empty()) caption = fmt::format("<caption>{}</caption>\n", html(caption_));
+    return fmt::format(
+        "<div "
+        "class=\"scroll\"><table>{}<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
+        caption, head, rows_);
+}
+
+}  // namespace tt

@@ -1,0 +1,147 @@
+#include "report/page_tables.hpp"
+
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "observe/measures.hpp"
+#include "report/html.hpp"
+#include "report/words.hpp"
+
+namespace tt {
+namespace {
+
+std::string meaning_of(const std::string& name) {
+    std::string meaning;
+    const auto match = [&](const auto& entry) {
+        if (entry.key == name) meaning = entry.meaning;
+    };
+    for_each_field<CellMeasures>(match);
+    for_each_field<RunMeasures>(match);
+    if (name == "tank_treading_kT") meaning = "shear rate × period of tank-treading";
+    return meaning;
+}
+
+std::string mean_text(const SummaryLine& line) {
+    const double factor = display_unit(line.unit).factor;
+    return with_scatter(line.mean * factor, line.sd_time * factor);
+}
+
+std::string window_text(const Results& run) {
+    if (run.window_end <= run.window_begin) return "";
+    return fmt::format("{} to {} ms", number_text(run.window_begin * 1e3),
+                       number_text(run.window_end * 1e3));
+}
+
+const SummaryLine* find(const Results& run, const std::string& name) {
+    for (const SummaryLine& line : run.quantities)
+        if (line.name == name) return &line;
+    return nullptr;
+}
+
+std::string summary_of_one(const Results& run) {
+    HtmlTable table("Means over " + window_text(run) +
+                        " ± standard deviation over time; then the standard deviation over cells "
+                        "of each cell's mean.",
+                    {{"quantity", ""},
+                     {"mean ± sd in time", "number"},
+                     {"sd over cells", "number"},
+                     {"unit", ""},
+                     {"meaning", "meaning"}});
+    for (const SummaryLine& line : run.quantities) {
+        const DisplayUnit unit = display_unit(line.unit);
+        table.add_row({line.name, mean_text(line), number_text(line.sd_cells * unit.factor, 2),
+                       unit.name, meaning_of(line.name)});
+    }
+    return table.text();
+}
+
+/// Names of the quantities of all runs, each once, in the order in which they come.
+std::vector<SummaryLine> all_quantities(std::span<const Results> runs) {
+    std::set<std::string> known;
+    std::vector<SummaryLine> lines;
+    for (const Results& run : runs)
+        for (const SummaryLine& line : run.quantities)
+            if (known.insert(line.name).second) lines.push_back(line);
+    return lines;
+}
+
+std::string summary_of_many(std::span<const Results> runs, const std::vector<std::string>& labels) {
+    std::vector<HtmlTable::Column> columns{{"quantity", ""}, {"unit", ""}};
+    for (const std::string& label : labels) columns.push_back({label, "number"});
+    HtmlTable table("Means over each run's window ± standard deviation over time.", columns);
+
+    std::vector<std::string> windows{"window", ""};
+    for (const Results& run : runs) windows.push_back(window_text(run));
+    table.add_row(windows);
+    for (const SummaryLine& quantity : all_quantities(runs)) {
+        std::vector<std::string> texts{quantity.name, display_unit(quantity.unit).name};
+        for (const Results& run : runs) {
+            const SummaryLine* line = find(run, quantity.name);
+            texts.push_back(line ? mean_text(*line) : "–");
+        }
+        table.add_row(texts);
+    }
+    return table.text();
+}
+
+std::string verdict(const Check& check) {
+    if (check.worst.empty()) return "not recorded";
+    return check.raised ? "look: " + check.meaning : "in order";
+}
+
+std::string value_text(const Json& value) {
+    if (value.is_string()) return value.get<std::string>();
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// Nested objects become rows too, `outer inner` for a name; items of a list are numbered.
+void add_rows(const Json& json, const std::string& prefix, HtmlTable& table) {
+    for (const auto& [key, value] : json.items()) {
+        if (value.is_structured() && !value.empty())
+            add_rows(value, prefix + key + " ", table);
+        else
+            table.add_row({prefix + key, value_text(value)});
+    }
+}
+
+}  // namespace
+
+std::string summary_section(std::span<const Results> runs, const std::vector<std::string>& labels) {
+    const std::string title = "<h2>Summary</h2>\n";
+    if (all_quantities(runs).empty())
+        return title + "<p>No summary yet: it is written when a run ends.</p>\n";
+    return title +
+           (runs.size() == 1 ? summary_of_one(runs.front()) : summary_of_many(runs, labels));
+}
+
+std::string checks_section(std::span<const Results> runs, const std::vector<std::string>& labels) {
+    std::string text = "<h2>Checks</h2>\n";
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        const std::string whose = runs.size() == 1 ? "" : labels[r] + ": ";
+        HtmlTable table(whose + "worst over the whole run.",
+                        {{"check", ""}, {"worst", ""}, {"limit", ""}, {"verdict", "meaning"}});
+        for (const Check& check : checks(runs[r])) {
+            table.add_row({check.name, check.worst, check.limit, verdict(check)},
+                          check.raised ? "raised" : "");
+        }
+        text += table.text();
+    }
+    return text;
+}
+
+std::string provenance_section(std::span<const Results> runs,
+                               const std::vector<std::string>& labels) {
+    std::string text = "<h2>Provenance</h2>\n";
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        if (runs[r].provenance.empty()) continue;
+        HtmlTable table("", {{"what", ""}, {"value", "word"}});
+        add_rows(runs[r].provenance, "", table);
+        text += fmt::format("<details{}><summary>{}</summary>{}</details>\n",
+                            runs.size() == 1 ? " open" : "", html(labels[r]), table.text());
+    }
+    return text;
+}
+
+}  // namespace tt
