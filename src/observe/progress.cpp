@@ -13,11 +13,18 @@
 namespace tt {
 namespace {
 
-/// 3:12, 2:03:12 or 4 d 2 h.
+/// Three digits: 0.12, 123, 12.3k, 1.23M.
+std::string compact(double number) {
+    if (number >= 1e6) return fmt::format("{:.3g}M", number * 1e-6);
+    if (number >= 1e3) return fmt::format("{:.3g}k", number * 1e-3);
+    return fmt::format("{:.3g}", number);
+}
+
+/// 3:12, 2:03:12 or 4 d.
 std::string duration(double seconds) {
     if (!std::isfinite(seconds)) return "?";
     const auto total = static_cast<long long>(std::llround(std::min(seconds, 1e9)));
-    if (total >= 2 * 86400) return fmt::format("{} d {} h", total / 86400, total % 86400 / 3600);
+    if (total >= 2 * 86400) return fmt::format("{} d", total / 86400);
     if (total >= 3600)
         return fmt::format("{}:{:02}:{:02}", total / 3600, total % 3600 / 60, total % 60);
     return fmt::format("{}:{:02}", total / 60, total % 60);
@@ -28,8 +35,9 @@ std::string duration(double seconds) {
 std::string progress_line(const Standing& s) {
     const double percent =
         s.steps > 0 ? 100.0 * static_cast<double>(s.step) / static_cast<double>(s.steps) : 100.0;
-    std::string line = fmt::format("{:5.1f} %  {:.4g}/{:.4g} ms  {:.3g} steps/s  {:.3g} MLUPS",
-                                   percent, s.time * 1e3, s.end * 1e3, s.steps_per_second, s.mlups);
+    std::string line = fmt::format("{:5.1f} %  {:.4g}/{:.4g} ms  {} steps/s  {} MLUPS", percent,
+                                   s.time * 1e3, s.end * 1e3, compact(s.steps_per_second),
+                                   compact(s.mlups));
     if (s.cells > 0) line += fmt::format("  λ_C {:.3f}", s.lambda_C);
     return line + fmt::format("  {} left", duration(s.seconds_left));
 }

@@ -11,7 +11,7 @@ namespace tt {
 /// (`automatic` looks which it is), a line of JSON every second, or nothing.
 enum class ProgressMode { automatic, bar, log, json, none };
 
-/// `42.1 %  33.68/80 ms  1234 steps/s  58.2 MLUPS  λ_C 1.086  3:12 left`, at most 79 columns.
+/// `42.1 %  33.68/80 ms  1.23k steps/s  58.2 MLUPS  λ_C 1.086  3:12 left`, at most 79 columns.
 std::string progress_line(const Standing& standing);
 /// The same numbers as one JSON object without a line break.
 std::string progress_json(const Standing& standing);

@@ -280,8 +280,8 @@ RunOutcome CaseRun::run(const std::function<State()>& initial) {
         if (const auto archive = checkpoints_.newest(tell)) {
             resume(*archive);
             if (was_done()) return outcome(RunOutcome::Ending::was_done);
-            fs::remove(results_.path() /
-                       "summary.json");  // of an earlier end, where the end was moved
+            // Left by an earlier end, where the end was moved since.
+            fs::remove(results_.path() / "summary.json");
             for (const auto& observer : observers_) observer->resume(*archive);
             record("running");
             say(fmt::format("resumed at step {} of {}", state_.step, steps_));
