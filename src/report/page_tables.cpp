@@ -45,14 +45,14 @@ std::string summary_of_one(const Results& run) {
                         " ± standard deviation over time; then the standard deviation over cells "
                         "of each cell's mean.",
                     {{"quantity", ""},
+                     {"unit", ""},
                      {"mean ± sd in time", "number"},
                      {"sd over cells", "number"},
-                     {"unit", ""},
                      {"meaning", "meaning"}});
     for (const SummaryLine& line : run.quantities) {
         const DisplayUnit unit = display_unit(line.unit);
-        table.add_row({line.name, mean_text(line), number_text(line.sd_cells * unit.factor, 2),
-                       unit.name, meaning_of(line.name)});
+        table.add_row({line.name, unit.name, mean_text(line),
+                       number_text(line.sd_cells * unit.factor, 2), meaning_of(line.name)});
     }
     return table.text();
 }
@@ -119,8 +119,8 @@ std::string summary_section(std::span<const Results> runs, const std::vector<std
 std::string checks_section(std::span<const Results> runs, const std::vector<std::string>& labels) {
     std::string text = "<h2>Checks</h2>\n";
     for (std::size_t r = 0; r < runs.size(); ++r) {
-        const std::string whose = runs.size() == 1 ? "" : labels[r] + ": ";
-        HtmlTable table(whose + "worst over the whole run.",
+        const std::string whose = runs.size() == 1 ? "Worst" : labels[r] + ": worst";
+        HtmlTable table(whose + " over the whole run.",
                         {{"check", ""}, {"worst", ""}, {"limit", ""}, {"verdict", "meaning"}});
         for (const Check& check : checks(runs[r])) {
             table.add_row({check.name, check.worst, check.limit, verdict(check)},

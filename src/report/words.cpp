@@ -52,7 +52,7 @@ std::string cells_words(const Results& run) {
         const std::string value = run.setting(key);
         if (!value.empty()) details.push_back(label + pretty(value));
     };
-    add("shape at the start ", "cells.shape");
+    add("at the start ", "cells.shape");
     add("radius ", "cells.radius");
     add("hematocrit ", "cells.hematocrit");
     add("cytoplasm ", "cells.cytoplasm_viscosity");

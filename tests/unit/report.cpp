@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "report/export.hpp"
 #include "report/page_data.hpp"
 #include "report/words.hpp"
+#include "small_run.hpp"
 #include "unit/invented_results.hpp"
 
 namespace tt {
@@ -78,6 +80,27 @@ TEST(Report, missing_gnuplot_is_told_with_the_package_to_install) {
     }
     setenv("PATH", path.c_str(), 1);
     EXPECT_NE(message.find("apt install gnuplot-nox"), std::string::npos) << message;
+}
+
+TEST(Report, directory_that_a_run_wrote_is_understood) {
+    ScratchFolder scratch;
+    run_small(small_request(scratch / "run", 200));
+    const Results run = read_results(scratch / "run");
+    EXPECT_EQ(run.name, "small");
+    EXPECT_TRUE(run.finished());
+    EXPECT_EQ(unfinished_note(run), "");
+    EXPECT_GT(run.window_end, run.window_begin);
+    ASSERT_TRUE(run.frames);
+    EXPECT_EQ(run.frames->count(), 9);
+    for (const Check& check : checks(run)) EXPECT_FALSE(check.worst.empty()) << check.name;
+
+    const std::array<fs::path, 1> runs{scratch / "run"};
+    const std::string page = text_of(write_report(runs));
+    EXPECT_NE(page.find("cfl_profile"), std::string::npos);
+    for (const char* figure : {"flow", "lambda_C", "mu_rel", "velocity_profile", "hematocrit_profile"})
+        EXPECT_TRUE(fs::exists(scratch / "run" / "figures" / (std::string(figure) + ".svg"))) << figure;
+    export_vtk(scratch / "run", scratch / "vtk");
+    EXPECT_TRUE(fs::exists(scratch / "vtk" / "cells" / "cells_000008.vtp"));
 }
 
 TEST(Report, raised_checks_are_those_beyond_their_limit) {
