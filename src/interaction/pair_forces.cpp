@@ -80,7 +80,6 @@ NearestPoint search_again(const ContactModel& model, const Suspension& cells,
                           const ContactState& contact, CellContacts& mine, Vec2 drift,
                           ContactPair& pair) {
     const CellContacts& other = contact.cells[pair.other];
-    mine.lower.resize(std::max(mine.lower.size(), static_cast<std::size_t>(other.boxes.count())));
     const SearchResult found =
         search_nearest(outline(cells, pair.other), other.boxes, drift, other.moved,
                        node_in_frame(cells, pair), model.nearest, horizon, mine.lower);
@@ -126,9 +125,12 @@ void list_all_pairs(const ContactModel& model, const Lattice& lattice, const Sus
         contact.listed_x = cells.x;
         contact.listed_y = cells.y;
     });
+    int most_nodes = 0;
+    for (int c = 0; c < count; ++c) most_nodes = std::max(most_nodes, cells.node_count(c));
     const auto [begin, end] = team_share(count);
     for (int c = begin; c < end; ++c) {
         contact.cells[c].moved = 0.0;
+        contact.cells[c].lower.resize(most_nodes / window + 1);
         contact.bounds[c] = bounds_of(outline(cells, c), lattice);
         set_boxes(outline(cells, c), contact.cells[c].boxes);
     }
