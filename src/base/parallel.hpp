@@ -1,37 +1,58 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
+#include <thread>
 #include <utility>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include <vector>
 
 namespace tt {
 
-/// Passes of a step are *team functions*: every thread of one parallel region calls them together, each works
-/// on its own contiguous share, and a barrier ends them. Called outside a parallel region they run on one
-/// thread and give the same bits: no sum crosses the border of a share.
-inline int team_size() {
-#ifdef _OPENMP
-    return omp_get_num_threads();
-#else
-    return 1;
-#endif
-}
+/// Passes of a step are *team functions*: every thread of one team calls them together, each works on its own contiguous
+/// share, and a barrier ends them. Called outside a team they run on one thread and give the same bits: no sum crosses the
+/// border of a share.
+class Team {
+public:
+    explicit Team(int size) : size_(size) {}
 
-inline int team_rank() {
-#ifdef _OPENMP
-    return omp_get_thread_num();
-#else
-    return 0;
-#endif
-}
+    int size() const { return size_; }
 
+    /// Waits for all. A step has some twenty of these and takes a tenth of a millisecond, so it spins; but where the machine
+    /// is busy with other work it soon gives way, or a thread that waits would keep the one it waits for from running.
+    void wait() {
+        const unsigned generation = generation_.load(std::memory_order_acquire);
+        if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {
+            arrived_.store(0, std::memory_order_relaxed);
+            generation_.store(generation + 1, std::memory_order_release);
+            return;
+        }
+        for (int spins = 0; generation_.load(std::memory_order_acquire) == generation; ++spins) {
+            if (spins > patience) std::this_thread::yield();
+        }
+    }
+
+    /// The team that the calling thread works in, and its number there.
+    struct Membership {
+        Team* team = nullptr;
+        int rank = 0;
+    };
+    static Membership& mine() {
+        thread_local Membership membership;
+        return membership;
+    }
+
+private:
+    static constexpr int patience = 4000;  ///< looks before giving way: some microseconds
+
+    int size_;
+    alignas(64) std::atomic<int> arrived_{0};
+    alignas(64) std::atomic<unsigned> generation_{0};
+};
+
+inline int team_size() { return Team::mine().team ? Team::mine().team->size() : 1; }
+inline int team_rank() { return Team::mine().rank; }
 inline void team_barrier() {
-#ifdef _OPENMP
-#pragma omp barrier
-#endif
+    if (team_size() > 1) Team::mine().team->wait();
 }
 
 /// [begin, end) of this thread's share of 0 … count.
@@ -51,16 +72,22 @@ void on_one_thread(F&& f) {
     team_barrier();
 }
 
-/// Runs `f` on every thread of a new team of `threads`.
+/// Runs `f` on every thread of a new team of `threads`, the calling one among them. `f` must not throw.
 template <class F>
 void with_team(int threads, F&& f) {
-#ifdef _OPENMP
-#pragma omp parallel num_threads(threads)
-    f();
-#else
-    (void)threads;
-    f();
-#endif
+    if (threads <= 1) {
+        f();
+        return;
+    }
+    Team team(threads);
+    const auto work = [&](int rank) {
+        Team::mine() = {&team, rank};
+        f();
+        Team::mine() = {};
+    };
+    std::vector<std::jthread> others;
+    for (int rank = 1; rank < threads; ++rank) others.emplace_back(work, rank);
+    work(0);
 }
 
 }  // namespace tt
