@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "base/contracts.hpp"
+#include "base/four.hpp"
 #include "base/isa.hpp"
 #include "base/parallel.hpp"
 
@@ -22,33 +23,60 @@ struct Axis {
     double* slopes;
 };
 
-/// Slopes of the weights of one node whose second site is at distance −s: w r / Σ w r², 0 where only one site has weight.
+/// Slopes of the weights of one node at distance s beyond its second site: w r / Σ w r², 0 where only one site has weight.
 TT_INLINE void slope(const double* w, double s, double* slopes) {
-    double second_moment = 0.0;
-    for (int k = 0; k < reach; ++k) second_moment += w[k] * (k - 1 - s) * (k - 1 - s);
-    const double inverse = std::fabs(second_moment) > 1e-12 ? 1.0 / second_moment : 0.0;
-    for (int k = 0; k < reach; ++k) slopes[k] = w[k] * (k - 1 - s) * inverse;
+    const double r0 = -1.0 - s, r1 = -s, r2 = 1.0 - s, r3 = 2.0 - s;
+    const double second_moment = (w[0] * r0 * r0 + w[1] * r1 * r1) + (w[2] * r2 * r2 + w[3] * r3 * r3);
+    const double inverse = 1.0 / (std::fabs(second_moment) > 1e-12 ? second_moment : 1e300);
+    slopes[0] = w[0] * r0 * inverse;
+    slopes[1] = w[1] * r1 * inverse;
+    slopes[2] = w[2] * r2 * inverse;
+    slopes[3] = w[3] * r3 * inverse;
+}
+
+/// Nodes are weighed a block at a time, side by side, and then laid out node by node: scattered stores would cost more than
+/// the arithmetic.
+struct Block {
+    static constexpr int size = 64;
+    double weight[reach][size];
+    double slope[reach][size];
+};
+
+template <class Kernel>
+TT_INLINE void weigh_block(const Axis& axis, int begin, int count, Block& block) {
+    const double* const __restrict position = axis.position + begin;
+    std::int32_t* const __restrict start = axis.start + begin;
+    auto& __restrict weight = block.weight;
+    auto& __restrict along = block.slope;
+    const double period = axis.period;
+    const double inverse = period > 0.0 ? 1.0 / period : 0.0;
+#pragma omp simd
+    for (int n = 0; n < count; ++n) {
+        const double wrapped = position[n] - period * std::floor(position[n] * inverse);
+        const double second = std::floor(wrapped - 0.5);
+        const double s = wrapped - 0.5 - second;
+        double w[reach], slopes[reach];
+        Kernel::weights(s, w);
+        slope(w, s, slopes);
+        start[n] = static_cast<std::int32_t>(second) - 1;
+        // Written out: a loop here would keep the compiler from turning the outer one into vector code.
+        weight[0][n] = w[0], weight[1][n] = w[1], weight[2][n] = w[2], weight[3][n] = w[3];
+        along[0][n] = slopes[0], along[1][n] = slopes[1], along[2][n] = slopes[2], along[3][n] = slopes[3];
+    }
 }
 
 template <class Kernel>
 TT_INLINE void weigh(const Axis& axis, int begin, int end) {
-    const double* const position = axis.position;
-    const double period = axis.period;
-    const double inverse = period > 0.0 ? 1.0 / period : 0.0;
-    std::int32_t* const start = axis.start;
-    double* const weights = axis.weights;
-    double* const slopes = axis.slopes;
-#pragma omp simd
-    for (int n = begin; n < end; ++n) {
-        const double wrapped = position[n] - period * std::floor(position[n] * inverse);
-        const double second = std::floor(wrapped - 0.5);
-        const double s = wrapped - 0.5 - second;
-        double w[reach], along[reach];
-        Kernel::weights(s, w);
-        slope(w, s, along);
-        start[n] = static_cast<std::int32_t>(second) - 1;
-        for (int k = 0; k < reach; ++k) weights[reach * n + k] = w[k];
-        for (int k = 0; k < reach; ++k) slopes[reach * n + k] = along[k];
+    Block block;
+    for (int at = begin; at < end; at += Block::size) {
+        const int count = std::min(Block::size, end - at);
+        weigh_block<Kernel>(axis, at, count, block);
+        for (int n = 0; n < count; ++n) {
+            const auto& [w0, w1, w2, w3] = block.weight;
+            const auto& [s0, s1, s2, s3] = block.slope;
+            store_four(axis.weights + reach * (at + n), Four{w0[n], w1[n], w2[n], w3[n]});
+            store_four(axis.slopes + reach * (at + n), Four{s0[n], s1[n], s2[n], s3[n]});
+        }
     }
 }
 
@@ -122,29 +150,27 @@ TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, c
         const int j0 = stencils.j[n];
         const int first = std::max(rows.begin - j0, 0);
         const int last = std::min(rows.end - j0, reach);
-        const double* const wx = &stencils.wx[reach * n];
+        const Four wx = load_four(&stencils.wx[reach * n]);
+        const Four sx = load_four(&stencils.sx[reach * n]);
         const double* const wy = &stencils.wy[reach * n];
-        const double* const sx = &stencils.sx[reach * n];
         const double* const sy = &stencils.sy[reach * n];
         for (int l = first; l < last; ++l) {
             const std::ptrdiff_t at = (j0 + l) * rows.pitch + stencils.i[n];
             double on_x = cells.fx[n] * wy[l], on_y = cells.fy[n] * wy[l];
-            if constexpr (order == Order::zeroth) {
-                for (int k = 0; k < reach; ++k) rows.x[at + k] += on_x * wx[k];
-                for (int k = 0; k < reach; ++k) rows.y[at + k] += on_y * wx[k];
-            } else {
+            if constexpr (order == Order::first) {
                 on_x += cells.dipole_xy[n] * sy[l];
                 on_y -= cells.dipole_xx[n] * sy[l];
-                const double xx = cells.dipole_xx[n] * wy[l], xy = cells.dipole_xy[n] * wy[l];
-                for (int k = 0; k < reach; ++k) rows.x[at + k] += on_x * wx[k] + xx * sx[k];
-                for (int k = 0; k < reach; ++k) rows.y[at + k] += on_y * wx[k] + xy * sx[k];
             }
+            Four x = load_four(rows.x + at) + on_x * wx;
+            Four y = load_four(rows.y + at) + on_y * wx;
+            if constexpr (order == Order::first) {
+                x += (cells.dipole_xx[n] * wy[l]) * sx;
+                y += (cells.dipole_xy[n] * wy[l]) * sx;
+            }
+            store_four(rows.x + at, x);
+            store_four(rows.y + at, y);
         }
     }
-}
-
-TT_INLINE double sum(const double (&a)[reach], const double* w) {
-    return (a[0] * w[0] + a[1] * w[1]) + (a[2] * w[2] + a[3] * w[3]);
 }
 
 template <Order order>
@@ -154,28 +180,28 @@ TT_INLINE void interpolate_nodes(const Stencils& stencils, const VectorField& ve
     const double* const y = velocity.y.row(0);
     const std::ptrdiff_t pitch = velocity.x.lattice().pitch();
     for (int n = begin; n < end; ++n) {
-        const double* const wx = &stencils.wx[reach * n];
         const double* const wy = &stencils.wy[reach * n];
-        const double* const sx = &stencils.sx[reach * n];
         const double* const sy = &stencils.sy[reach * n];
+        const std::ptrdiff_t corner = stencils.j[n] * pitch + stencils.i[n];
         // Sums along y for each column of the block: values and, for the shear rate, slopes.
-        double ux[reach] = {}, uy[reach] = {}, dx[reach] = {}, dy[reach] = {};
+        Four ux{}, uy{}, slope_x{}, slope_y{};
         for (int l = 0; l < reach; ++l) {
-            const std::ptrdiff_t at = (stencils.j[n] + l) * pitch + stencils.i[n];
-            for (int k = 0; k < reach; ++k) {
-                ux[k] += wy[l] * x[at + k];
-                uy[k] += wy[l] * y[at + k];
-                if constexpr (order == Order::first) {
-                    dx[k] += sy[l] * x[at + k];
-                    dy[k] += sy[l] * y[at + k];
-                }
+            const Four row_x = load_four(x + corner + l * pitch);
+            const Four row_y = load_four(y + corner + l * pitch);
+            ux += wy[l] * row_x;
+            uy += wy[l] * row_y;
+            if constexpr (order == Order::first) {
+                slope_x += sy[l] * row_x;
+                slope_y += sy[l] * row_y;
             }
         }
-        cells.ux[n] = sum(ux, wx);
-        cells.uy[n] = sum(uy, wx);
+        const Four wx = load_four(&stencils.wx[reach * n]);
+        cells.ux[n] = sum_of(ux * wx);
+        cells.uy[n] = sum_of(uy * wx);
         if constexpr (order == Order::first) {
-            cells.rate_xx[n] = sum(ux, sx) - sum(dy, wx);
-            cells.rate_xy[n] = sum(dx, wx) + sum(uy, sx);
+            const Four sx = load_four(&stencils.sx[reach * n]);
+            cells.rate_xx[n] = sum_of(ux * sx) - sum_of(slope_y * wx);
+            cells.rate_xy[n] = sum_of(slope_x * wx) + sum_of(uy * sx);
         }
     }
 }
@@ -225,14 +251,17 @@ void unspread(const Stencils& stencils, VectorField& force) {
     const Rows rows = own_rows(force);
     const auto clear = [&](int i, int j) {
         const std::ptrdiff_t at = j * rows.pitch + i;
-        for (int k = 0; k < reach; ++k) rows.x[at + k] = rows.y[at + k] = 0.0;
+        store_four(rows.x + at, Four{});
+        store_four(rows.y + at, Four{});
     };
     const int count = static_cast<int>(stencils.i.size());
     for (int n = 0; n < count; ++n) {
-        const int i = stencils.i[n];
+        const int i = stencils.i[n], j0 = stencils.j[n];
+        for (int j = std::max(j0, rows.begin); j < std::min(j0 + reach, rows.end); ++j) clear(i, j);
+        if (i >= 0 && i + reach <= lattice.nx && j0 >= 0 && j0 + reach <= lattice.ny) continue;
+        // What hung over an edge was folded to the other side: clear it there as well.
         for (int l = 0; l < reach; ++l) {
-            const int j = stencils.j[n] + l;
-            // What hung over an edge was folded to the other side: clear it there as well.
+            const int j = j0 + l;
             const int across_j = j < 0 ? j + lattice.ny : j - lattice.ny;
             for (const int row : {j, across_j}) {
                 if (row < rows.begin || row >= rows.end) continue;
