@@ -192,7 +192,7 @@ TEST_F(RunVerb, stopped_and_resumed_ends_in_the_same_bits) {
     ASSERT_EQ(run(part).code, 0);
     EXPECT_NE(state_hash("parts"), state_hash("whole"));
     const Outcome resumed =
-        run({"resume", path("parts").string(), "-j", "2", "--progress", "none"});
+        run({"resume", path("parts").string(), "-j", "1", "--progress", "none"});
     EXPECT_EQ(resumed.code, 0) << resumed.err;
     EXPECT_EQ(state_hash("parts"), state_hash("whole"));
 }
