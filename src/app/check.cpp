@@ -4,9 +4,8 @@
 #include <cmath>
 #include <memory>
 #include <string>
-#include <thread>
-#include <vector>
 
+#include "app/case_options.hpp"
 #include "app/probe.hpp"
 #include "app/verb.hpp"
 #include "base/units.hpp"
@@ -21,9 +20,7 @@ namespace tt {
 namespace {
 
 struct CheckOptions {
-    std::string path;
-    std::vector<std::string> overrides;
-    int threads = 0;
+    CaseOptions given;
     bool json = false;
 };
 
@@ -195,11 +192,10 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
 }
 
 int check(const CheckOptions& options) {
-    const Case c = read_case(options.path, options.overrides);
+    const Case c = read_case(options.given.path, options.given.overrides);
     const Choice choice = choose(c);
     Model model = discretise(c, choice);
-    const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    model.threads = options.threads > 0 ? options.threads : all;
+    model.threads = thread_count(options.given.threads, model.lattice);
     const State initial = initial_state(c, model);
     Appraisal a = appraise(c, choice, model, initial);
     const Probe p = a.refused() ? Probe{} : probe(model, initial);
@@ -212,7 +208,7 @@ int check(const CheckOptions& options) {
     if (options.json) {
         fmt::print("{}\n", to_json(c, choice, a, p).dump(2));
     } else {
-        fmt::print("{}  ({})\n\n", c.name, options.path);
+        fmt::print("{}  ({})\n\n", c.name, options.given.path);
         print_numerics(c, choice, a);
         print_flow(c, choice, a);
         print_limits(choice, a);
@@ -227,12 +223,7 @@ int check(const CheckOptions& options) {
 void add_check(CLI::App& app, Action& action) {
     auto options = std::make_shared<CheckOptions>();
     CLI::App* verb = app.add_subcommand("check", "judge a case: which dx, dt and tau, and why");
-    verb->add_option("case", options->path, "the case file")->required();
-    verb->add_option("--set", options->overrides,
-                     "KEY=VALUE in place of the file's; may be repeated")
-        ->allow_extra_args(false);
-    verb->add_option("-j,--threads", options->threads, "threads of the probe; else all processors")
-        ->check(CLI::Range(1, 1024));
+    add_case_options(*verb, options->given);
     verb->add_flag("--json", options->json, "as JSON");
     verb->footer(
         "Tells grid, time step, relaxation times, Reynolds, Mach and shear numbers, each\n"

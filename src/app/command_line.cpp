@@ -43,7 +43,9 @@ void describe_program(CLI::App& app) {
     app.footer(
         "Begin with:\n"
         "  tanktread new my-channel     writes my-channel.toml, with comments\n"
-        "  tanktread check my-channel.toml\n\n"
+        "  tanktread check my-channel.toml\n"
+        "  tanktread run my-channel.toml\n"
+        "  tanktread report results/my-channel\n\n"
         "Exit codes: 0 done, 1 internal error, 2 bad command or case, 3 unstable (last\n"
         "good state kept), 4 results directory in use or of another case, 5 cannot read\n"
         "or write, 75 stopped early (run again to resume).");
@@ -112,9 +114,17 @@ int perform(const Action& action) {
 int run_command_line(int argc, const char* const* argv) {
     CLI::App app("", "tanktread");
     Action action;
+    std::string command_line = "tanktread";
+    for (int i = 1; i < argc; ++i)
+        command_line += std::string(" ") + argv[i];
     describe_program(app);
     add_new(app, action);
     add_check(app, action);
+    add_run(app, action, command_line);
+    add_resume(app, action, command_line);
+    add_status(app, action);
+    add_report(app, action);
+    add_export(app, action);
     add_keys(app, action);
     for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
         verb->group("Verbs");

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <stdexcept>
+#include <string>
 
 namespace CLI {
 class App;
@@ -32,6 +33,11 @@ using Action = std::function<int()>;
 // Each adds one verb with its options and help; when it is named, `action` becomes what it does.
 void add_new(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
+void add_run(CLI::App& app, Action& action, const std::string& command_line);
+void add_resume(CLI::App& app, Action& action, const std::string& command_line);
+void add_status(CLI::App& app, Action& action);
+void add_report(CLI::App& app, Action& action);
+void add_export(CLI::App& app, Action& action);
 void add_keys(CLI::App& app, Action& action);
 
 }  // namespace tt

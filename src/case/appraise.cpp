@@ -9,6 +9,7 @@
 
 #include "base/units.hpp"
 #include "membrane/stability.hpp"
+#include "simulation/schedule.hpp"
 
 namespace tt {
 namespace {
@@ -33,7 +34,7 @@ double bending_modulus(const Membrane& membrane) {
 void count_all(const Case& c, const Choice& choice, const State& initial, Appraisal& a) {
     const Suspension& cells = initial.cells;
     a.sites = static_cast<std::int64_t>(choice.nx) * choice.ny;
-    a.steps = static_cast<std::int64_t>(std::ceil(c.time.end.si / choice.dt.si * (1.0 - 1e-9)));
+    a.steps = steps_until(c.time.end.si, choice.dt.si);
     a.cells = cells.cell_count();
     a.nodes = cells.node_count();
     if (a.cells == 0) return;

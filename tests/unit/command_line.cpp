@@ -74,7 +74,8 @@ TEST(CommandLine, a_faulty_case_ends_with_2_and_leaves_stdout_empty) {
 }
 
 TEST(CommandLine, help_goes_to_stdout_and_fits_80_columns) {
-    for (const char* verb : {"", "new", "check", "keys"}) {
+    for (const char* verb :
+         {"", "new", "check", "run", "resume", "status", "report", "export", "keys"}) {
         std::vector<std::string> words{"--help"};
         if (*verb != '\0') words.insert(words.begin(), verb);
         const Outcome outcome = run(words);
@@ -145,6 +146,83 @@ TEST(CommandLine, check_refuses_what_cannot_be_stable_and_says_what_to_change) {
     const Outcome fast = run({"check", path, "-j", "1", "--set", "numerics.dt=\"100 us\""});
     EXPECT_EQ(fast.code, 2);
     EXPECT_NE(fast.out.find("  ! The time step 0.1 ms is"), std::string::npos) << fast.out;
+}
+
+class RunVerb : public tt::TemporaryDirectory {
+protected:
+    /// A small plain channel of a few hundred steps.
+    std::vector<std::string> small_run(const std::string& out) const {
+        return {"run",        source("cases/01-poiseuille/case.toml"),
+                "-o",         path(out).string(),
+                "-j",         "1",
+                "--set",      "time.end=10 us",
+                "--progress", "none"};
+    }
+    std::string state_hash(const std::string& out) const {
+        return tt::Json::parse(std::ifstream(path(out) / "PROVENANCE.json")).at("state_hash");
+    }
+};
+
+TEST_F(RunVerb, prints_where_the_results_are_and_says_when_they_are_finished) {
+    const Outcome first = run(small_run("a"));
+    EXPECT_EQ(first.code, 0) << first.err;
+    EXPECT_EQ(first.out, path("a").string() + "\n");
+    const Outcome second = run(small_run("a"));
+    EXPECT_EQ(second.code, 0);
+    EXPECT_NE(second.err.find("is finished"), std::string::npos) << second.err;
+    EXPECT_EQ(run({"status", path("a").string()}).code, 0);
+    EXPECT_EQ(tt::Json::parse(run({"status", path("a").string(), "--json"}).out).at("status"),
+              "done");
+}
+
+TEST_F(RunVerb, never_touches_results_of_another_case) {
+    ASSERT_EQ(run(small_run("a")).code, 0);
+    std::vector<std::string> other = small_run("a");
+    other.insert(other.end(), {"--set", "plasma.viscosity=2 cP"});
+    EXPECT_EQ(run(other).code, 4);
+    other.push_back("--fresh");
+    EXPECT_EQ(run(other).code, 0);
+    EXPECT_TRUE(fs::exists(path("a.1") / "summary.json"));
+}
+
+TEST_F(RunVerb, stopped_and_resumed_ends_in_the_same_bits) {
+    ASSERT_EQ(run(small_run("whole")).code, 0);
+    std::vector<std::string> part = small_run("parts");
+    part.insert(part.end(), {"--until", "4 us"});
+    ASSERT_EQ(run(part).code, 0);
+    EXPECT_NE(state_hash("parts"), state_hash("whole"));
+    const Outcome resumed =
+        run({"resume", path("parts").string(), "-j", "1", "--progress", "none"});
+    EXPECT_EQ(resumed.code, 0) << resumed.err;
+    EXPECT_EQ(state_hash("parts"), state_hash("whole"));
+}
+
+TEST_F(RunVerb, time_limit_ends_with_75) {
+    std::vector<std::string> words = small_run("a");
+    words[7] = "time.end=10 s";
+    words.insert(words.end(), {"--max-time", "0.1s"});
+    EXPECT_EQ(run(words).code, 75);
+    EXPECT_EQ(run({"resume", path("a").string(), "--max-time", "0.05s"}).code, 75);
+}
+
+TEST_F(RunVerb, bad_options_end_with_2_before_anything_is_written) {
+    for (const auto& [option, value] :
+         std::vector<std::pair<std::string, std::string>>{{"--max-time", "soon"},
+                                                          {"--until", "1 um"},
+                                                          {"--until", "1 s"},
+                                                          {"--progress", "loud"}}) {
+        std::vector<std::string> words = small_run("a");
+        words.insert(words.end(), {option, value});
+        EXPECT_EQ(run(words).code, 2) << option;
+    }
+    EXPECT_FALSE(fs::exists(path("a")));
+}
+
+TEST_F(RunVerb, verbs_on_results_that_are_not_there_end_with_5) {
+    for (const char* verb : {"status", "resume", "report"})
+        EXPECT_EQ(run({verb, path("nowhere").string()}).code, 5) << verb;
+    EXPECT_EQ(run({"export", path("nowhere").string(), "--to", "csv"}).code, 5);
+    EXPECT_EQ(run({"export", path("nowhere").string(), "--to", "gif"}).code, 2);
 }
 
 }  // namespace

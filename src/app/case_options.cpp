@@ -1,0 +1,70 @@
+#include "app/case_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <thread>
+
+#include "app/verb.hpp"
+#include "base/units.hpp"
+
+namespace tt {
+
+void add_case_options(CLI::App& verb, CaseOptions& options) {
+    verb.add_option("case", options.path, "the case file")->required();
+    verb.add_option("--set", options.overrides, "KEY=VALUE in place of the file's; may be repeated")
+        ->allow_extra_args(false);
+    add_threads_option(verb, options.threads);
+}
+
+void add_threads_option(CLI::App& verb, int& threads) {
+    verb.add_option("-j,--threads", threads, "threads; else all processors that are of use")
+        ->check(CLI::Range(1, 1024));
+}
+
+int thread_count(int asked, const Lattice& lattice) {
+    if (asked > 0) return asked;
+    const int processors = static_cast<int>(std::thread::hardware_concurrency());
+    return std::max(1, std::min(processors, lattice.ny / 8));
+}
+
+Time parse_duration(std::string_view option, std::string_view text) {
+    const auto refuse = [&] {
+        throw CommandError(fmt::format(
+            "{} {} is not a duration; write for example 55m, 90s or 1h30m", option, text));
+    };
+    double seconds = 0.0;
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const std::size_t length = number_length(rest);
+        if (length == 0 || rest.front() == '-') refuse();
+        const double number = parse_measure(rest.substr(0, length)).si;
+        rest.remove_prefix(length);
+        const std::size_t end = std::min(rest.find_first_of("0123456789."), rest.size());
+        std::string unit(rest.substr(0, end));
+        unit.erase(std::remove(unit.begin(), unit.end(), ' '), unit.end());
+        rest.remove_prefix(end);
+        if (unit == "h")
+            seconds += 3600.0 * number;
+        else if (unit == "m" || unit == "min")
+            seconds += 60.0 * number;
+        else if (unit == "s")
+            seconds += number;
+        else
+            refuse();
+    }
+    if (!(seconds > 0.0)) refuse();
+    return Time{seconds};
+}
+
+Time parse_time(std::string_view option, std::string_view text) {
+    try {
+        const Measure m = parse_measure(text);
+        if (m.dimension == Time::dimension && m.si > 0.0) return Time{m.si};
+    } catch (const UnitError&) {}
+    throw CommandError(
+        fmt::format("{} {} is not a time; write for example {} \"50 ms\"", option, text, option));
+}
+
+}  // namespace tt

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/quantity.hpp"
+#include "simulation/model.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace tt {
+
+/// What check and run share.
+struct CaseOptions {
+    std::string path;
+    std::vector<std::string> overrides;
+    int threads = 0;  ///< 0: as many as the machine has and the lattice can use
+};
+
+/// Adds the case file, --set and -j.
+void add_case_options(CLI::App& verb, CaseOptions& options);
+
+/// Adds -j alone.
+void add_threads_option(CLI::App& verb, int& threads);
+
+/// `asked`, or all processors as long as each gets at least eight rows of sites.
+int thread_count(int asked, const Lattice& lattice);
+
+/// "55m", "90s", "1h30m", "2 h", "5 min": a time on the clock on the wall, where m is a minute.
+/// Throws CommandError naming `option`.
+Time parse_duration(std::string_view option, std::string_view text);
+
+/// A quantity of simulated time, "50 ms". Throws CommandError naming `option`.
+Time parse_time(std::string_view option, std::string_view text);
+
+}  // namespace tt

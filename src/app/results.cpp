@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/verb.hpp"
+#include "observe/status.hpp"
+#include "report/export.hpp"
+#include "report/figures.hpp"
+#include "report/report.hpp"
+
+namespace tt {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ResultsOptions {
+    std::vector<fs::path> directories;
+    fs::path out;
+    std::string to;
+    bool json = false;
+};
+
+int show_status(const ResultsOptions& options) {
+    const Json status = read_status(options.directories.front());
+    fmt::print("{}\n", options.json ? status.dump(2) : describe_status(status));
+    return exit_code::done;
+}
+
+int report(const ResultsOptions& options) {
+    fmt::print("{}\n", write_report(options.directories, options.out).string());
+    return exit_code::done;
+}
+
+int export_results(const ResultsOptions& options) {
+    const fs::path& directory = options.directories.front();
+    const fs::path out = options.out.empty() ? directory / options.to : options.out;
+    if (options.to == "vtk") {
+        export_vtk(directory, out);
+    } else if (options.to == "csv") {
+        export_csv(directory, out);
+    } else if (options.to == "png") {
+        const std::vector<Results> runs{read_results(directory)};
+        draw_figures(runs, out);
+    } else {
+        throw CommandError(fmt::format("--to {} is not one of vtk, csv, png", options.to));
+    }
+    fmt::print("{}\n", out.string());
+    return exit_code::done;
+}
+
+}  // namespace
+
+void add_status(CLI::App& app, Action& action) {
+    auto options = std::make_shared<ResultsOptions>();
+    CLI::App* verb = app.add_subcommand("status", "tell how far a run is");
+    verb->add_option("directory", options->directories, "the results directory")
+        ->required()
+        ->expected(1);
+    verb->add_flag("--json", options->json, "as JSON");
+    verb->callback([options, &action] { action = [options] { return show_status(*options); }; });
+}
+
+void add_report(CLI::App& app, Action& action) {
+    auto options = std::make_shared<ResultsOptions>();
+    CLI::App* verb =
+        app.add_subcommand("report", "figures and a page to open, of one run or several");
+    verb->add_option("directories", options->directories, "results directories")->required();
+    verb->add_option("-o,--output", options->out, "where to; else into the directory itself");
+    verb->footer(
+        "Several directories make a comparison. A run that is not finished is reported\n"
+        "as far as it came. Prints the path of the page, report.html, which needs no\n"
+        "network.");
+    verb->callback([options, &action] { action = [options] { return report(*options); }; });
+}
+
+void add_export(CLI::App& app, Action& action) {
+    auto options = std::make_shared<ResultsOptions>();
+    CLI::App* verb = app.add_subcommand("export", "the frames of a run for other programs");
+    verb->add_option("directory", options->directories, "the results directory")
+        ->required()
+        ->expected(1);
+    verb->add_option("--to", options->to, "vtk (ParaView), csv or png (figures)")->required();
+    verb->add_option("-o,--output", options->out, "where to; else a folder in the directory");
+    verb->callback([options, &action] { action = [options] { return export_results(*options); }; });
+}
+
+}  // namespace tt

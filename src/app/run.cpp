@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "app/case_options.hpp"
+#include "app/verb.hpp"
+#include "base/units.hpp"
+#include "case/discretise.hpp"
+#include "case/initial_state.hpp"
+#include "case/read.hpp"
+#include "case/resolve.hpp"
+#include "exchange/periodic.hpp"
+#include "io/file.hpp"
+#include "observe/run_case.hpp"
+
+namespace tt {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunOptions {
+    CaseOptions given;
+    std::string directory;
+    std::string max_time, until;
+    std::string progress = "auto";
+    bool fresh = false;
+};
+
+ProgressMode progress_mode(const std::string& word) {
+    static const std::map<std::string, ProgressMode> modes{{"auto", ProgressMode::automatic},
+                                                           {"bar", ProgressMode::bar},
+                                                           {"log", ProgressMode::log},
+                                                           {"json", ProgressMode::json},
+                                                           {"none", ProgressMode::none}};
+    const auto mode = modes.find(word);
+    if (mode == modes.end())
+        throw CommandError(
+            fmt::format("--progress {} is not one of auto, bar, log, json, none", word));
+    return mode->second;
+}
+
+/// Everything about the run but where it goes and how the user wants to watch it.
+RunRequest request_for(const Case& c, const Choice& choice, const Model& model) {
+    RunRequest request;
+    request.name = c.name;
+    request.resolved_toml = resolved_toml(c, choice, model);
+    request.identity = identity_of(c);
+    request.end = c.time.end;
+    request.average_from = c.time.average_from.value_or(Time{0.5 * c.time.end.si});
+    request.series = c.output.series.value_or(Time{c.time.end.si / 500.0});
+    request.frames = c.output.frames.value_or(Time{c.time.end.si / 50.0});
+    request.checkpoint = c.output.checkpoint;
+    if (!c.numerics.fluid_only && choice.shear_rate.si > 0.0)
+        request.shear_number = c.plasma.viscosity.si * choice.shear_rate.si *
+                               equivalent_radius(c).si / c.membrane.shear_modulus.si;
+    return request;
+}
+
+int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
+    const std::string directory = request.directory.string();
+    switch (outcome.ending) {
+        case RunOutcome::Ending::done:
+            fmt::print("{}\n", directory);
+            fmt::print(stderr, "next:  tanktread report {}\n", directory);
+            return exit_code::done;
+        case RunOutcome::Ending::was_done:
+            fmt::print("{}\n", directory);
+            fmt::print(stderr,
+                       "{} is finished, {} steps; --fresh begins anew and keeps it beside\n",
+                       directory, outcome.steps);
+            return exit_code::done;
+        case RunOutcome::Ending::stopped: break;
+    }
+    fmt::print(stderr, "next:  tanktread resume {}\n", directory);
+    return exit_code::stopped_early;
+}
+
+int run(const RunOptions& options, const std::string& command_line) {
+    const Case c = read_case(options.given.path, options.given.overrides);
+    const Choice choice = choose(c);
+    Model model = discretise(c, choice);
+    model.threads = thread_count(options.given.threads, model.lattice);
+    RunRequest request = request_for(c, choice, model);
+    request.directory =
+        options.directory.empty() ? fs::path("results") / c.name : fs::path(options.directory);
+    request.case_toml = read_file(options.given.path);
+    request.command_line = command_line;
+    request.progress = progress_mode(options.progress);
+    request.start = options.fresh ? Start::fresh : Start::resume;
+    if (!options.max_time.empty())
+        request.max_time = parse_duration("--max-time", options.max_time);
+    if (!options.until.empty()) {
+        const Time until = parse_time("--until", options.until);
+        if (until > c.time.end)
+            throw CommandError(fmt::format("--until {} is beyond the end of the case, {}",
+                                           options.until, to_text(c.time.end)));
+        request.end = until;
+    }
+    Periodic exchange;
+    const RunOutcome outcome = run_case(
+        request, model, [&] { return initial_state(c, model); }, exchange);
+    return tell_outcome(outcome, request);
+}
+
+void add_watching_options(CLI::App& verb, RunOptions& options) {
+    verb.add_option("--max-time", options.max_time,
+                    "stop after 55m, 90s, 1h30m on the clock; exit 75");
+    verb.add_option("--until", options.until, "stop at this simulated time, \"50 ms\"");
+    verb.add_option("--progress", options.progress, "auto, bar, log, json or none");
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Action& action, const std::string& command_line) {
+    auto options = std::make_shared<RunOptions>();
+    CLI::App* verb =
+        app.add_subcommand("run", "run a case, or go on with one that is not finished");
+    add_case_options(*verb, options->given);
+    verb->add_option("-o,--output", options->directory, "results directory; else results/NAME");
+    add_watching_options(*verb, *options);
+    verb->add_flag("--fresh", options->fresh, "begin anew; former results are moved aside");
+    verb->footer(
+        "The same command goes on where the run was stopped: by Ctrl-C, TERM, USR2,\n"
+        "--max-time, or a crash. A results directory of another case is never touched.\n\n"
+        "  tanktread run channel.toml --set flow.pseudo_shear_rate=\"150 /s\" -o slow");
+    verb->callback([options, &action, &command_line] {
+        action = [options, &command_line] { return run(*options, command_line); };
+    });
+}
+
+void add_resume(CLI::App& app, Action& action, const std::string& command_line) {
+    auto options = std::make_shared<RunOptions>();
+    CLI::App* verb = app.add_subcommand("resume", "go on with the run of a results directory");
+    verb->add_option("directory", options->directory, "the results directory")->required();
+    add_threads_option(*verb, options->given.threads);
+    add_watching_options(*verb, *options);
+    verb->footer("To the same bits as if it had never stopped.");
+    verb->callback([options, &action, &command_line] {
+        action = [options, &command_line] {
+            options->given.path = (fs::path(options->directory) / "resolved.toml").string();
+            return run(*options, command_line);
+        };
+    });
+}
+
+}  // namespace tt

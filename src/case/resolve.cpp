@@ -1,0 +1,57 @@
+#include "case/resolve.hpp"
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "case/write.hpp"
+
+namespace tt {
+namespace {
+
+/// A line for a quantity: its key, SI value, lattice value.
+template <Dimension D>
+std::string line(std::string_view key, Quantity<D> value, const Scales& scales) {
+    return fmt::format("# {:<24} {:<22} {:.17g}\n", key, rounded_text(value, 10),
+                       scales.to_lattice(value));
+}
+
+std::string line(std::string_view key, double value) {
+    return fmt::format("# {:<24} {}\n", key, to_text(value));
+}
+
+}  // namespace
+
+std::string resolved_toml(const Case& c, const Choice& choice, const Model& model) {
+    const Scales& s = model.scales;
+    std::string text = to_toml(c);
+    text += fmt::format("\n# What follows from these.{:<28}{}\n", "", "in lattice units");
+    text += fmt::format("# {:<24} {} x {} sites\n", "lattice", choice.nx, choice.ny);
+    text += line("dx", choice.dx, s);
+    text += line("dt", choice.dt, s);
+    text += line("relaxation_time", choice.relaxation_time);
+    text += line("density_scale", choice.density_scale);
+    text += line("cell_reynolds_as_run", choice.cell_reynolds(c));
+    text += line("shear_rate", choice.shear_rate, s);
+    text += line("largest_speed", choice.largest_speed, s);
+    text += line("pressure_gradient", choice.pressure_gradient, s);
+    text += line("plasma.viscosity", c.plasma.viscosity, s);
+    if (c.numerics.fluid_only) return text;
+    text += line("cytoplasm_viscosity", c.cells.cytoplasm_viscosity, s);
+    text += line("radius", equivalent_radius(c), s);
+    text += line("shear_modulus", c.membrane.shear_modulus, s);
+    text += line("bending_modulus", c.membrane.bending_modulus, s);
+    text += line("area_stiffness", choice.area_stiffness, s);
+    text +=
+        fmt::format("# {:<24} {:<22} {:.17g}\n", "contact range",
+                    rounded_text(s.to_si<Length>(model.contact.range), 10), model.contact.range);
+    return text;
+}
+
+std::string identity_of(const Case& c) {
+    Case core = c;
+    core.output.checkpoint = OutputCase{}.checkpoint;
+    core.output.figure_times.clear();
+    return to_toml(core);
+}
+
+}  // namespace tt
