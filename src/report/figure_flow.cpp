@@ -117,6 +117,14 @@ std::string panel_place(const PanelGrid& layout, int k, int panels) {
     return text;
 }
 
+/// A step of 1, 2 or 5 times a power of ten that cuts `extent` into 3 to 6 parts or so.
+double round_step(double extent) {
+    const double raw = extent / 4.0;
+    const double decade = std::pow(10.0, std::floor(std::log10(raw)));
+    const double lead = raw / decade;
+    return decade * (lead < 1.5 ? 1.0 : lead < 3.5 ? 2.0 : lead < 7.5 ? 5.0 : 10.0);
+}
+
 constexpr const char* common = R"(set multiplot
 set border 15 lw 0.6
 set tics out scale 0.4
@@ -171,8 +179,8 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
     std::string body = common;
     if (layout.panel_height < 120.0) body += fmt::format("set ytics {:.3g}\n", grid.width * 0.5e6);
     if (layout.columns > 1)
-        body += fmt::format("set xtics {:.3g}\nset ytics {:.3g}\n", grid.length * 0.25e6,
-                            grid.width * 0.25e6);
+        body += fmt::format("set xtics {:g}\nset ytics {:g}\n", round_step(grid.length * 1e6),
+                            round_step(grid.width * 1e6));
     body += fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]\nset cbrange [0:{:.4g}]\n",
                         grid.length * 1e6, grid.width * 1e6, std::max(fastest * factor, 1e-9));
     const int panels = static_cast<int>(frames.size());

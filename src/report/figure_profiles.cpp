@@ -32,25 +32,27 @@ VelocityUnit velocity_unit(std::span<const Results> runs) {
     return fastest < 1e-3 ? VelocityUnit{1e6, "μm/s"} : VelocityUnit{1e3, "mm/s"};
 }
 
-/// The profile without cells of the same flux: 6 U y (H − y)/H² between resting walls, and u = k (y
-/// − H/2) + U between walls that move with ± k H/2. Empty if the case does not say how the flow is
-/// driven.
+/// Velocity that a straight line through the two outermost rows has at the wall, half a spacing
+/// away.
+double at_wall(double outermost, double next) { return outermost - 0.5 * (next - outermost); }
+
+/// The profile without cells of the same flux: 6 U y (H − y)/H² between resting walls; between
+/// moving walls the straight line from wall to wall, moved to the same mean U. Empty if the case
+/// does not say how the flow is driven.
 Column profile_of_plasma(const Results& run) {
     const Column& y = values(run.profiles, "y");
     const Column& u = values(run.profiles, "velocity");
     const double width = wall_distance(y);
-    if (u.empty() || width <= 0.0) return {};
+    const std::string drive = run.setting("flow.drive");
+    const bool channel = drive == "pressure" || drive == "body-force";
+    if (u.size() < 2 || width <= 0.0 || (!channel && drive != "shear")) return {};
     double mean = 0.0;
     for (const double value : u) mean += value / static_cast<double>(u.size());
+    const double rate = (at_wall(u.back(), u[u.size() - 2]) - at_wall(u[0], u[1])) / width;
     Column plasma;
-    const std::string drive = run.setting("flow.drive");
-    const double rate = setting_si(run.setting("flow.shear_rate"));
-    if (drive == "shear" && !std::isfinite(rate)) return {};
-    if (drive != "shear" && drive != "pressure" && drive != "body-force") return {};
     for (const double height : y)
-        plasma.push_back(drive == "shear"
-                             ? mean + rate * (height - 0.5 * width)
-                             : 6.0 * mean * height * (width - height) / (width * width));
+        plasma.push_back(channel ? 6.0 * mean * height * (width - height) / (width * width)
+                                 : mean + rate * (height - 0.5 * width));
     return plasma;
 }
 

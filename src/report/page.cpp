@@ -82,7 +82,7 @@ std::string repeat_section(std::span<const Results> runs) {
                                  run.directory.string(), run.name));
     }
     text += "tanktread report";
-    for (const Results& run : runs) text += html(" " + run.directory.string());
+    for (const Results& run : runs) text += fmt::format(" {}", html(run.directory.string()));
     return text + "</pre>\n";
 }
 
@@ -90,7 +90,7 @@ std::string repeat_section(std::span<const Results> runs) {
 std::string introduction(std::span<const Results> runs, const std::vector<std::string>& labels) {
     std::string text;
     for (std::size_t r = 0; r < runs.size(); ++r) {
-        const std::string name = runs.size() == 1 ? "" : "<b>" + html(labels[r]) + "</b>: ";
+        const std::string name = runs.size() == 1 ? "" : fmt::format("<b>{}</b>: ", html(labels[r]));
         text += "<p>" + name + html(case_in_words(runs[r])) + "</p>\n";
         const std::string note = unfinished_note(runs[r]);
         if (!note.empty()) text += "<p class=\"notice\">" + name + html(note) + "</p>\n";
