@@ -58,18 +58,27 @@ TT_CLONES void lower_bounds(const SegmentBoxes& boxes, Vec2 point, double slack,
     }
 }
 
+/// The nodes of `window` segments from `first` on, past the end of the outline from its start.
+struct WindowNodes {
+    double x[window + 1], y[window + 1];
+
+    WindowNodes(const Outline& outline, int first) {
+        const int size = outline.size();
+        for (int k = 0, node = first; k <= window; ++k, ++node) {
+            if (node >= size) node -= size;
+            x[k] = outline.x[node];
+            y[k] = outline.y[node];
+        }
+    }
+};
+
 /// The same for a window that reaches past the end of the outline.
 NearestPoint nearest_across_start(const Outline& outline, Vec2 point, int first,
                                   double segments_count) {
     const int size = outline.size();
-    double x[window + 1], y[window + 1];
-    for (int k = 0; k <= window; ++k) {
-        const int node = (first + k) % size;
-        x[k] = outline.x[node];
-        y[k] = outline.y[node];
-    }
+    const WindowNodes nodes(outline, first);
     double distance2[window], along[window];
-    measure_window(x, y, point, segments_count, distance2, along);
+    measure_window(nodes.x, nodes.y, point, segments_count, distance2, along);
     NearestPoint best{distance2[0], first % size, along[0]};
     for (int k = 1; k < window; ++k) {
         const NearestPoint found{distance2[k], (first + k) % size, along[k]};
@@ -84,22 +93,30 @@ int window_around(const NearestPoint& at, int size) {
     return first < 0 ? first + size : first;
 }
 
-/// Smallest distance of the segments of one box that are not in the window.
-double nearest_outside(const Outline& outline, Vec2 point, Nearest nearest, int box,
-                       int window_first) {
+/// Smallest squared distance of those segments of one box that are not in the window.
+TT_CLONES double nearest_outside2(const double* x, const double* y, Vec2 point,
+                                  double segments_count, int box_offset, int size) {
+    double distance2[window], along[window];
+    measure_window(x, y, point, segments_count, distance2, along);
     double smallest = HUGE_VAL;
-    const int size = outline.size();
-    const int end = std::min(size, (box + 1) * window);
-    for (int k = box * window; k < end; ++k) {
-        const int offset = k - window_first + (k < window_first ? size : 0);
-        if (offset < window) continue;
-        const Vec2 a = outline[k];
-        const Vec2 edge = outline[k + 1 < size ? k + 1 : 0] - a;
-        const double place = dot(point - a, edge) / std::max(dot(edge, edge), 1e-300);
-        const double t = nearest == Nearest::segment ? std::clamp(place, 0.0, 1.0) : 0.0;
-        smallest = std::min(smallest, norm(point - a - t * edge));
+    for (int k = 0; k < window; ++k) {
+        const int offset = box_offset + k >= size ? box_offset + k - size : box_offset + k;
+        smallest = lesser(smallest, offset < window ? HUGE_VAL : distance2[k]);
     }
     return smallest;
+}
+
+double nearest_outside(const Outline& outline, Vec2 point, Nearest nearest, int box,
+                       int window_first) {
+    const int size = outline.size();
+    const int first = box * window;
+    const double segments_count = nearest == Nearest::segment ? 1.0 : 0.0;
+    const int offset = first - window_first + (first < window_first ? size : 0);
+    if (first + window < size)
+        return std::sqrt(nearest_outside2(outline.x.data() + first, outline.y.data() + first, point,
+                                          segments_count, offset, size));
+    const WindowNodes nodes(outline, first);
+    return std::sqrt(nearest_outside2(nodes.x, nodes.y, point, segments_count, offset, size));
 }
 
 }  // namespace

@@ -17,10 +17,10 @@ namespace {
 
 /// How far nodes may move, beyond the common drift, before pairs are listed anew [sites]. Sets cost
 /// only.
-constexpr double skin = 1.0;
+constexpr double skin = 0.3;
 /// How much farther than the nearest a segment may be and still be measured for the bound [sites].
 /// Sets cost only.
-constexpr double horizon = 2.0;
+constexpr double horizon = 1.0;
 /// Guards the comparison of distances against rounding.
 constexpr double rounding = 1e-6;
 
