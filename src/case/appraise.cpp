@@ -72,10 +72,11 @@ void characterise(const Case& c, const Choice& choice, const Model& model, Appra
 void bound(const Model& model, Appraisal& a) {
     a.bounds.push_back({"Mach number", a.mach, mach_limit, "largest speed / speed of sound"});
     if (a.cells == 0) return;
-    const double viscosity = model.viscosity.plasma;
+    // The fluids on both sides slow a membrane down.
+    const double viscosity = 0.5 * (model.viscosity.plasma + model.viscosity.cytoplasm);
     a.bounds.push_back({"membrane tension",
                         tension_step_number(tension_slope(model.membrane), viscosity),
-                        tension_step_limit, "T'(1) dt / (mu dx)"});
+                        tension_step_limit, "T'(1) dt / (mu dx), mean mu"});
     a.bounds.push_back({"bending", bending_step_number(bending_modulus(model.membrane), viscosity),
                         bending_step_limit, "E_b dt / (mu dx^3)"});
     a.bounds.push_back({"area pressure", area_step_number(model.membrane.area_stiffness),
