@@ -24,7 +24,7 @@ struct Axis {
 };
 
 /// Slopes of the weights of one node at distance s beyond its second site: w r / Σ w r², 0 where only one site has weight.
-TT_INLINE void slope(const double* w, double s, double* slopes) {
+TT_INLINE void slope(const double (&w)[reach], double s, double (&slopes)[reach]) {
     const double r0 = -1.0 - s, r1 = -s, r2 = 1.0 - s, r3 = 2.0 - s;
     const double second_moment = (w[0] * r0 * r0 + w[1] * r1 * r1) + (w[2] * r2 * r2 + w[3] * r3 * r3);
     const double inverse = 1.0 / (std::fabs(second_moment) > 1e-12 ? second_moment : 1e300);
@@ -36,44 +36,29 @@ TT_INLINE void slope(const double* w, double s, double* slopes) {
 
 /// Nodes are weighed a block at a time, side by side, and then laid out node by node: scattered stores would cost more than
 /// the arithmetic.
-struct Block {
-    static constexpr int size = 64;
-    double weight[reach][size];
-    double slope[reach][size];
-};
-
-template <class Kernel>
-TT_INLINE void weigh_block(const Axis& axis, int begin, int count, Block& block) {
-    const double* const __restrict position = axis.position + begin;
-    std::int32_t* const __restrict start = axis.start + begin;
-    auto& __restrict weight = block.weight;
-    auto& __restrict along = block.slope;
-    const double period = axis.period;
-    const double inverse = period > 0.0 ? 1.0 / period : 0.0;
-#pragma omp simd
-    for (int n = 0; n < count; ++n) {
-        const double wrapped = position[n] - period * std::floor(position[n] * inverse);
-        const double second = std::floor(wrapped - 0.5);
-        const double s = wrapped - 0.5 - second;
-        double w[reach], slopes[reach];
-        Kernel::weights(s, w);
-        slope(w, s, slopes);
-        start[n] = static_cast<std::int32_t>(second) - 1;
-        // Written out: a loop here would keep the compiler from turning the outer one into vector code.
-        weight[0][n] = w[0], weight[1][n] = w[1], weight[2][n] = w[2], weight[3][n] = w[3];
-        along[0][n] = slopes[0], along[1][n] = slopes[1], along[2][n] = slopes[2], along[3][n] = slopes[3];
-    }
-}
-
 template <class Kernel>
 TT_INLINE void weigh(const Axis& axis, int begin, int end) {
-    Block block;
-    for (int at = begin; at < end; at += Block::size) {
-        const int count = std::min(Block::size, end - at);
-        weigh_block<Kernel>(axis, at, count, block);
+    constexpr int size = 64;
+    double w0[size], w1[size], w2[size], w3[size], s0[size], s1[size], s2[size], s3[size];
+    const double period = axis.period;
+    const double inverse = period > 0.0 ? 1.0 / period : 0.0;
+    for (int at = begin; at < end; at += size) {
+        const int count = end - at < size ? end - at : size;
+        const double* const __restrict position = axis.position + at;
+        std::int32_t* const __restrict start = axis.start + at;
+#pragma omp simd
         for (int n = 0; n < count; ++n) {
-            const auto& [w0, w1, w2, w3] = block.weight;
-            const auto& [s0, s1, s2, s3] = block.slope;
+            const double wrapped = position[n] - period * std::floor(position[n] * inverse);
+            const double second = std::floor(wrapped - 0.5);
+            const double s = wrapped - 0.5 - second;
+            double w[reach], slopes[reach];
+            Kernel::weights(s, w);
+            slope(w, s, slopes);
+            start[n] = static_cast<std::int32_t>(second) - 1;
+            w0[n] = w[0], w1[n] = w[1], w2[n] = w[2], w3[n] = w[3];
+            s0[n] = slopes[0], s1[n] = slopes[1], s2[n] = slopes[2], s3[n] = slopes[3];
+        }
+        for (int n = 0; n < count; ++n) {
             store_four(axis.weights + reach * (at + n), Four{w0[n], w1[n], w2[n], w3[n]});
             store_four(axis.slopes + reach * (at + n), Four{s0[n], s1[n], s2[n], s3[n]});
         }
@@ -142,11 +127,20 @@ Rows own_rows(VectorField& field) {
     return {begin, end, field.x.row(0), field.y.row(0), lattice.pitch()};
 }
 
+/// Calls `f` for every node, each `stride` nodes after the last: neighbours on a membrane share sites, and to load what has
+/// just been stored, shifted by one site, stalls the processor.
+template <class F>
+TT_INLINE void for_nodes_apart(int count, F&& f) {
+    constexpr int stride = 16;
+    for (int phase = 0; phase < stride; ++phase) {
+        for (int n = phase; n < count; n += stride) f(n);
+    }
+}
+
 /// A node's force and dipole: on a site of weights w and slopes s the force is F wₓ wᵧ + D·(sₓ wᵧ, wₓ sᵧ).
 template <Order order>
 TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, const Rows& rows) {
-    const int count = cells.node_count();
-    for (int n = 0; n < count; ++n) {
+    for_nodes_apart(cells.node_count(), [&](int n) __attribute__((always_inline)) {
         const int j0 = stencils.j[n];
         const int first = std::max(rows.begin - j0, 0);
         const int last = std::min(rows.end - j0, reach);
@@ -154,23 +148,20 @@ TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, c
         const Four sx = load_four(&stencils.sx[reach * n]);
         const double* const wy = &stencils.wy[reach * n];
         const double* const sy = &stencils.sy[reach * n];
-        for (int l = first; l < last; ++l) {
-            const std::ptrdiff_t at = (j0 + l) * rows.pitch + stencils.i[n];
-            double on_x = cells.fx[n] * wy[l], on_y = cells.fy[n] * wy[l];
-            if constexpr (order == Order::first) {
-                on_x += cells.dipole_xy[n] * sy[l];
-                on_y -= cells.dipole_xx[n] * sy[l];
+        const double fx = cells.fx[n], fy = cells.fy[n];
+        const double xx = cells.dipole_xx[n], xy = cells.dipole_xy[n];
+        double* x = rows.x + (j0 + first) * rows.pitch + stencils.i[n];
+        double* y = rows.y + (j0 + first) * rows.pitch + stencils.i[n];
+        for (int l = first; l < last; ++l, x += rows.pitch, y += rows.pitch) {
+            if constexpr (order == Order::zeroth) {
+                store_four(x, load_four(x) + (fx * wy[l]) * wx);
+                store_four(y, load_four(y) + (fy * wy[l]) * wx);
+            } else {
+                store_four(x, load_four(x) + ((fx * wy[l] + xy * sy[l]) * wx + (xx * wy[l]) * sx));
+                store_four(y, load_four(y) + ((fy * wy[l] - xx * sy[l]) * wx + (xy * wy[l]) * sx));
             }
-            Four x = load_four(rows.x + at) + on_x * wx;
-            Four y = load_four(rows.y + at) + on_y * wx;
-            if constexpr (order == Order::first) {
-                x += (cells.dipole_xx[n] * wy[l]) * sx;
-                y += (cells.dipole_xy[n] * wy[l]) * sx;
-            }
-            store_four(rows.x + at, x);
-            store_four(rows.y + at, y);
         }
-    }
+    });
 }
 
 template <Order order>
@@ -235,7 +226,10 @@ void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
             const int j = stencils.j[n];
             if (j >= 0 && j + reach <= lattice.ny) continue;
             make_one_sided(cells.y[n], j, lattice.ny, &stencils.wy[reach * n]);
-            slope(&stencils.wy[reach * n], cells.y[n] - (j + 1.5), &stencils.sy[reach * n]);
+            const double* const w = &stencils.wy[reach * n];
+            double slopes[reach];
+            slope({w[0], w[1], w[2], w[3]}, cells.y[n] - (j + 1.5), slopes);
+            std::copy(slopes, slopes + reach, &stencils.sy[reach * n]);
         }
     }
     team_barrier();

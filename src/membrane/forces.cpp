@@ -78,7 +78,8 @@ TT_CLONES void harden_exponentially(const Nodes& m, double D, double beta, doubl
 #pragma omp simd
     for (int k = begin; k < end; ++k) {
         const double extension = p.stretch[k] - 1.0;
-        const double compressed = std::fmax(fold * extension, floor);
+        const double folded = fold * extension;
+        const double compressed = folded > floor ? folded : floor;
         p.alpha[k] = 1.0 + D * (vector_exp(beta * (extension < 0.0 ? compressed : extension)) - 1.0);
     }
 }
