@@ -62,11 +62,13 @@ std::vector<StepLimit> step_limits(const Case& c, const Choice& choice, double t
     const double dx = choice.dx.si, rho = c.plasma.density.si, mu = c.plasma.viscosity.si;
     const double radius = equivalent_radius(c).si, k = choice.shear_rate.si;
     const double step_of_unit_scale = (tau - 0.5) / 3.0 * dx * dx * rho / mu;
-    if (k > 0.0) {
+    if (k > 0.0 && !c.numerics.fluid_only) {
         const double reynolds = rho * k * radius * radius / mu;
         limits.push_back({"Reynolds number", Time{step_of_unit_scale * auto_cell_reynolds / reynolds},
                           fmt::format("cell Reynolds number S rho k a^2 / mu <= {} (physical: {:.2g})",
                                       auto_cell_reynolds, reynolds)});
+    }
+    if (k > 0.0) {
         limits.push_back({"Mach number", Time{auto_mach / std::sqrt(3.0) * dx / choice.largest_speed.si},
                           fmt::format("largest speed {:.3g} mm/s at Mach <= {}", choice.largest_speed.si * 1e3,
                                       auto_mach)});

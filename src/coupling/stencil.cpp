@@ -127,20 +127,11 @@ Rows own_rows(VectorField& field) {
     return {begin, end, field.x.row(0), field.y.row(0), lattice.pitch()};
 }
 
-/// Calls `f` for every node, each `stride` nodes after the last: neighbours on a membrane share sites, and to load what has
-/// just been stored, shifted by one site, stalls the processor.
-template <class F>
-TT_INLINE void for_nodes_apart(int count, F&& f) {
-    constexpr int stride = 16;
-    for (int phase = 0; phase < stride; ++phase) {
-        for (int n = phase; n < count; n += stride) f(n);
-    }
-}
-
 /// A node's force and dipole: on a site of weights w and slopes s the force is F wₓ wᵧ + D·(sₓ wᵧ, wₓ sᵧ).
 template <Order order>
 TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, const Rows& rows) {
-    for_nodes_apart(cells.node_count(), [&](int n) __attribute__((always_inline)) {
+    const int count = cells.node_count();
+    for (int n = 0; n < count; ++n) {
         const int j0 = stencils.j[n];
         const int first = std::max(rows.begin - j0, 0);
         const int last = std::min(rows.end - j0, reach);
@@ -161,7 +152,7 @@ TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, c
                 store_four(y, load_four(y) + ((fy * wy[l] - xx * sy[l]) * wx + (xy * wy[l]) * sx));
             }
         }
-    });
+    }
 }
 
 template <Order order>

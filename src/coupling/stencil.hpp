@@ -33,7 +33,7 @@ void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
 enum class Order : std::uint8_t { zeroth, first };
 
 /// Eqs. 8, 9: adds the node forces (and dipoles) to the force field, halo included (then Exchange::fold). Owner of rows: every
-/// thread adds, in one fixed order, what falls on its own rows, so the bits do not depend on the number of threads. Team function.
+/// thread adds, in node order, what falls on its own rows, so the bits do not depend on the number of threads. Team function.
 void spread(Order order, const Stencils& stencils, const Suspension& cells, VectorField& force);
 
 /// Zeroes the sites and halo sites that the last `spread` with these stencils touched. Team function.

@@ -176,7 +176,7 @@ double balance_shear_stress(const Model& model, const State& state) {
     // alike.
     const Suspension& cells = state.cells;
     for (int n = 0; n < cells.node_count(); ++n) {
-        of_forces += cells.fx[n] * (cells.y[n] - 0.5 * lattice.ny);
+        of_forces += cells.fx[n] * (cells.y[n] - 0.5 * lattice.ny) + cells.dipole_xy[n];
     }
     return (viscous - of_forces) / (static_cast<double>(lattice.nx) * lattice.ny);
 }
