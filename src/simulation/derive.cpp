@@ -1,13 +1,30 @@
 #include "simulation/derive.hpp"
 
-#include "fluid/collide_stream.hpp"
+#include "fluid/moments.hpp"
 
 namespace tt {
+
+namespace {
+
+/// u = Σ f c + ½ F of the uniform force: what an observer sees before the first step.
+void fill_velocity(const State& state, VectorField& velocity) {
+    const Lattice& lattice = velocity.x.lattice();
+    for (int j = 0; j < lattice.ny; ++j) {
+        for (int i = 0; i < lattice.nx; ++i) {
+            const Vec2 momentum = moments(state.populations, i, j).momentum;
+            velocity.x(i, j) = momentum.x + 0.5 * state.drive.body_force;
+            velocity.y(i, j) = momentum.y;
+        }
+    }
+}
+
+}  // namespace
 
 void derive(const Model& model, State& state) {
     const Lattice& lattice = model.lattice;
     state.force = VectorField(lattice);
     state.velocity = VectorField(lattice);
+    fill_velocity(state, state.velocity);
     state.relaxation = Relaxation(lattice);
     state.stencils = Stencils(state.cells.node_count());
     locate(model.delta, lattice, state.cells, state.stencils);
