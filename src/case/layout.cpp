@@ -25,8 +25,8 @@ bool inside(const std::vector<Vec2>& polygon, Vec2 p) {
 /// Hard particles in a channel: outlines grown about their centres by a common factor.
 class Packing {
 public:
-    Packing(std::vector<Vec2> shape, int count, double length, double width, double gap, std::uint64_t seed)
-        : shape_(std::move(shape)), length_(length), width_(width), gap_(gap), random_(seed) {
+    Packing(const std::vector<Vec2>& shape, int count, double length, double width, double gap, std::uint64_t seed)
+        : shape_(at_equal_arc_length(shape, std::min(32, static_cast<int>(shape.size())))), length_(length), width_(width), gap_(gap), random_(seed) {
         for (Vec2 p : shape_) reach_ = std::max(reach_, norm(p));
         cells_.resize(count);
         outlines_.resize(count);
@@ -40,17 +40,20 @@ public:
         }
     }
 
-    /// One trial move of every cell; a quarter of them also turn.
-    void sweep(double step) {
+    /// One trial move and turn of every cell; the step adapts so that about half are accepted.
+    void sweep() {
+        int accepted = 0;
         for (int c = 0; c < count(); ++c) {
             Placement moved = cells_[c];
-            moved.centre += Vec2{random_.uniform(-step, step), random_.uniform(-step, step)};
-            moved.angle += random_.uniform(-1.0, 1.0) * step / reach_;
+            moved.centre += Vec2{random_.uniform(-step_, step_), random_.uniform(-step_, step_)};
+            moved.angle += random_.uniform(-2.0, 2.0) * step_ / reach();
             std::vector<Vec2> outline = outline_of(moved);
             if (!fits(c, moved, outline, count())) continue;
             cells_[c] = moved;
             outlines_[c] = std::move(outline);
+            ++accepted;
         }
+        step_ = std::clamp(step_ * (2 * accepted > count() ? 1.1 : 0.9), 1e-3 * reach(), reach());
     }
 
     /// Grows all cells by `factor` (at most to full size) if none then touches another.
@@ -95,17 +98,21 @@ private:
             Vec2 apart = cells_[o].centre - cell.centre;
             const double shift = -length_ * std::round(apart.x / length_);
             apart.x += shift;
-            if (dot(apart, apart) < near * near && touch(outline, outlines_[o], shift)) return false;
+            if (dot(apart, apart) >= near * near) continue;
+            if (any_inside(outline, outlines_[o], cells_[o].centre, shift) ||
+                any_inside(outlines_[o], outline, cell.centre, -shift)) {
+                return false;
+            }
         }
         return true;
     }
 
-    static bool touch(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double shift_of_b) {
-        for (Vec2 p : a) {
-            if (inside(b, {p.x - shift_of_b, p.y})) return true;
-        }
-        for (Vec2 p : b) {
-            if (inside(a, {p.x + shift_of_b, p.y})) return true;
+    /// Whether a point of `outline`, moved by `shift` along x, lies in the cell `other` about `centre`.
+    bool any_inside(const std::vector<Vec2>& outline, const std::vector<Vec2>& other, Vec2 centre, double shift) const {
+        const double reach = scale_ * reach_ + 0.5 * gap_;
+        for (Vec2 p : outline) {
+            const Vec2 from_centre = Vec2{p.x - shift, p.y} - centre;
+            if (dot(from_centre, from_centre) < reach * reach && inside(other, centre + from_centre)) return true;
         }
         return false;
     }
@@ -115,6 +122,7 @@ private:
     Random random_;
     double scale_ = 0.2;
     double reach_ = 0.0;
+    double step_ = 1.0;
     std::vector<Placement> cells_;
     std::vector<std::vector<Vec2>> outlines_;
 };
@@ -138,11 +146,10 @@ std::vector<Placement> random_placements(const std::vector<Vec2>& shape, int cou
                                          double gap, std::uint64_t seed) {
     constexpr int patience = 4000;  // sweeps
     Packing packing(shape, count, length, width, gap, seed);
-    double factor = 1.2;
+    double growth = 0.1;
     for (int sweep = 0; sweep < patience && packing.scale() < 1.0; ++sweep) {
-        packing.sweep(0.5 * packing.reach() * (factor - 1.0) + 0.02 * packing.reach());
-        if (!packing.grow(factor)) factor = 1.0 + 0.8 * (factor - 1.0);
-        if (factor - 1.0 < 1e-5) factor = 1.02;
+        packing.sweep();
+        growth = packing.grow(1.0 + growth) ? std::min(0.1, 1.2 * growth) : std::max(1e-4, 0.8 * growth);
     }
     if (packing.scale() < 1.0) {
         const double area = area_of(shape) * count / (length * width);
