@@ -23,17 +23,6 @@ struct Axis {
     double* slopes;
 };
 
-/// Slopes of the weights of one node at distance s beyond its second site: w r / Σ w r², 0 where only one site has weight.
-TT_INLINE void slope(const double (&w)[reach], double s, double (&slopes)[reach]) {
-    const double r0 = -1.0 - s, r1 = -s, r2 = 1.0 - s, r3 = 2.0 - s;
-    const double second_moment = (w[0] * r0 * r0 + w[1] * r1 * r1) + (w[2] * r2 * r2 + w[3] * r3 * r3);
-    const double inverse = 1.0 / (std::fabs(second_moment) > 1e-12 ? second_moment : 1e300);
-    slopes[0] = w[0] * r0 * inverse;
-    slopes[1] = w[1] * r1 * inverse;
-    slopes[2] = w[2] * r2 * inverse;
-    slopes[3] = w[3] * r3 * inverse;
-}
-
 /// Nodes are weighed a block at a time, side by side, and then laid out node by node: scattered stores would cost more than
 /// the arithmetic.
 template <class Kernel>
@@ -52,8 +41,7 @@ TT_INLINE void weigh(const Axis& axis, int begin, int end) {
             const double second = std::floor(wrapped - 0.5);
             const double s = wrapped - 0.5 - second;
             double w[reach], slopes[reach];
-            Kernel::weights(s, w);
-            slope(w, s, slopes);
+            Kernel::weights(s, w, slopes);
             start[n] = static_cast<std::int32_t>(second) - 1;
             w0[n] = w[0], w1[n] = w[1], w2[n] = w[2], w3[n] = w[3];
             s0[n] = slopes[0], s1[n] = slopes[1], s2[n] = slopes[2], s3[n] = slopes[3];
@@ -107,6 +95,19 @@ void make_one_sided(double y, int start, int ny, double* w) {
         return;
     }
     for (int k = 0; k < reach; ++k) w[k] *= (m2 - m1 * (start + k + 0.5 - y)) / determinant;
+}
+
+/// Slopes of one-sided weights: w r / Σ w r², exact for a linear field; 0 where only one row has weight.
+void slope_one_sided(double y, int start, const double* w, double* slopes) {
+    double second_moment = 0.0;
+    for (int k = 0; k < reach; ++k) {
+        const double r = start + k + 0.5 - y;
+        second_moment += w[k] * r * r;
+    }
+    for (int k = 0; k < reach; ++k) {
+        const double r = start + k + 0.5 - y;
+        slopes[k] = std::fabs(second_moment) > 1e-12 ? w[k] * r / second_moment : 0.0;
+    }
 }
 
 /// What a thread adds to or clears: rows [begin, end) of one field pair.
@@ -217,10 +218,7 @@ void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
             const int j = stencils.j[n];
             if (j >= 0 && j + reach <= lattice.ny) continue;
             make_one_sided(cells.y[n], j, lattice.ny, &stencils.wy[reach * n]);
-            const double* const w = &stencils.wy[reach * n];
-            double slopes[reach];
-            slope({w[0], w[1], w[2], w[3]}, cells.y[n] - (j + 1.5), slopes);
-            std::copy(slopes, slopes + reach, &stencils.sy[reach * n]);
+            slope_one_sided(cells.y[n], j, &stencils.wy[reach * n], &stencils.sy[reach * n]);
         }
     }
     team_barrier();

@@ -16,7 +16,7 @@ struct Stencils {
     static constexpr int reach = 4;
     std::vector<std::int32_t> i, j;  ///< per node: lower left site of the block
     std::vector<double> wx, wy;      ///< per node: `reach` weights along each axis
-    std::vector<double> sx, sy;      ///< per node: their slopes, w r / Σ w r² (r = site − node): exact for linear fields
+    std::vector<double> sx, sy;      ///< per node: their derivatives by the node's position
 
     Stencils() = default;
     explicit Stencils(int node_count)

@@ -14,7 +14,7 @@ namespace tt {
 struct Cosine4 {
     static constexpr std::string_view name = "cosine4";
     static constexpr KernelSpread spread{0.412, 0.315};
-    TT_INLINE static void weights(double s, double (&w)[4]) {
+    TT_INLINE static void weights(double s, double (&w)[4], double (&slope)[4]) {
         // sin(πs/2) and cos(πs/2) by their series about s = ½ (|x| ≤ π/4): error below 1e-15.
         const double x = 1.5707963267948966 * (s - 0.5);
         const double q = x * x;
@@ -25,6 +25,12 @@ struct Cosine4 {
         const double half_root = 0.70710678118654752;
         const double sin_s = half_root * (sine + cosine);
         const double cos_s = half_root * (cosine - sine);
+        // The derivatives, over Σ w' r = (π/4)(sin + cos) so as to be exact for a linear field.
+        const double scale = 0.5 / (sin_s + cos_s);
+        slope[0] = -scale * cos_s;
+        slope[1] = -scale * sin_s;
+        slope[2] = scale * cos_s;
+        slope[3] = scale * sin_s;
         w[0] = 0.25 * (1.0 - sin_s);
         w[1] = 0.25 * (1.0 + cos_s);
         w[2] = 0.25 * (1.0 + sin_s);

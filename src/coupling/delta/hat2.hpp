@@ -11,7 +11,11 @@ namespace tt {
 struct Hat2 {
     static constexpr std::string_view name = "hat2";
     static constexpr KernelSpread spread{0.2326, 0.2012};
-    TT_INLINE static void weights(double s, double (&w)[4]) {
+    TT_INLINE static void weights(double s, double (&w)[4], double (&slope)[4]) {
+        slope[0] = 0.0;
+        slope[1] = -1.0;
+        slope[2] = 1.0;
+        slope[3] = 0.0;
         w[0] = 0.0;
         w[1] = 1.0 - s;
         w[2] = s;

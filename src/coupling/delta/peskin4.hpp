@@ -12,8 +12,13 @@ namespace tt {
 struct Peskin4 {
     static constexpr std::string_view name = "peskin4";
     static constexpr KernelSpread spread{0.4124, 0.3152};
-    TT_INLINE static void weights(double s, double (&w)[4]) {
+    TT_INLINE static void weights(double s, double (&w)[4], double (&slope)[4]) {
         const double root = std::sqrt(1.0 + 4.0 * s * (1.0 - s));
+        const double turn = (0.25 - 0.5 * s) / root;
+        slope[0] = -0.25 - turn;
+        slope[1] = -0.25 + turn;
+        slope[2] = 0.25 + turn;
+        slope[3] = 0.25 - turn;
         w[0] = 0.125 * (3.0 - 2.0 * s - root);
         w[1] = 0.125 * (3.0 - 2.0 * s + root);
         w[2] = 0.125 * (1.0 + 2.0 * s + root);
