@@ -150,6 +150,8 @@ State initial_state(const Case& c, const Model& model) {
     state.populations = Populations(model.lattice);
     state.cells = suspended_cells(c, model);
     state.drive.body_force = model.drive.body_force;
+    // Nothing is nearer than the reach of the contact forces; without them gaps are not measured.
+    state.contact.smallest_gap = model.contact.range > 0.0 ? model.contact.range : std::nan("");
     const VectorField flow = c.flow.start == "rest" ? VectorField(model.lattice) : undisturbed_flow(model);
     set_equilibrium(model.equilibrium, flow, state.populations);
     derive(model, state);
