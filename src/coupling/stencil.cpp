@@ -156,6 +156,34 @@ TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, c
     }
 }
 
+/// Marks the blocks of sites in this thread's rows that the nodes' 4 × 4 blocks cover, through the ends of the box if they
+/// must: then the last and the first block of a row are marked as well.
+void mark_near_membranes(const Lattice& lattice, Stencils& stencils) {
+    const auto [begin, end] = team_share(lattice.ny);
+    if (begin == end) return;
+    const int per_row = stencils.near_membranes.per_row();
+    std::uint8_t* const marks = stencils.near_membranes.row(0);
+    std::fill(marks + begin * per_row, marks + end * per_row, std::uint8_t{0});
+    constexpr unsigned width = SiteBlocks::width;
+    const int count = static_cast<int>(stencils.i.size());
+    const std::int32_t* const start_i = stencils.i.data();
+    const std::int32_t* const start_j = stencils.j.data();
+    for (int n = 0; n < count; ++n) {
+        const int i = start_i[n], last = i + reach - 1;
+        const bool inside = i >= 0 && last < lattice.nx;
+        const unsigned left = inside ? i / width : 0;
+        const unsigned right = inside ? last / width : per_row - 1;
+        const unsigned middle = inside ? left : std::max(0, (i < 0 ? i + lattice.nx : i)) / width;
+        for (int l = 0; l < reach; ++l) {
+            int j = start_j[n] + l;
+            if (!lattice.walls) j = j < 0 ? j + lattice.ny : j >= lattice.ny ? j - lattice.ny : j;
+            if (j < begin || j >= end) continue;
+            std::uint8_t* const row = marks + j * per_row;
+            row[left] = row[right] = row[middle] = 1;
+        }
+    }
+}
+
 template <Order order>
 TT_INLINE void interpolate_nodes(const Stencils& stencils, const VectorField& velocity, Suspension& cells, int begin,
                                  int end) {
@@ -222,6 +250,8 @@ void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
         }
     }
     team_barrier();
+    mark_near_membranes(lattice, stencils);
+    team_barrier();
 }
 
 void spread(Order order, const Stencils& stencils, const Suspension& cells, VectorField& force) {
@@ -230,28 +260,14 @@ void spread(Order order, const Stencils& stencils, const Suspension& cells, Vect
 }
 
 void unspread(const Stencils& stencils, VectorField& force) {
-    const Lattice& lattice = force.x.lattice();
-    const Rows rows = own_rows(force);
-    const auto clear = [&](int i, int j) {
-        const std::ptrdiff_t at = j * rows.pitch + i;
-        store_four(rows.x + at, Four{});
-        store_four(rows.y + at, Four{});
-    };
-    const int count = static_cast<int>(stencils.i.size());
-    for (int n = 0; n < count; ++n) {
-        const int i = stencils.i[n], j0 = stencils.j[n];
-        for (int j = std::max(j0, rows.begin); j < std::min(j0 + reach, rows.end); ++j) clear(i, j);
-        if (i >= 0 && i + reach <= lattice.nx && j0 >= 0 && j0 + reach <= lattice.ny) continue;
-        // What hung over an edge was folded to the other side: clear it there as well.
-        for (int l = 0; l < reach; ++l) {
-            const int j = j0 + l;
-            const int across_j = j < 0 ? j + lattice.ny : j - lattice.ny;
-            for (const int row : {j, across_j}) {
-                if (row < rows.begin || row >= rows.end) continue;
-                clear(i, row);
-                if (i < 0) clear(i + lattice.nx, row);
-                if (i + reach > lattice.nx) clear(i - lattice.nx, row);
-            }
+    const SiteBlocks& near = stencils.near_membranes;
+    const auto [begin, end] = team_share(force.x.lattice().ny);
+    for (int j = begin; j < end; ++j) {
+        const std::uint8_t* const marks = near.row(j);
+        for (int b = 0; b < near.per_row(); ++b) {
+            if (!marks[b]) continue;
+            std::fill_n(force.x.row(j) + b * SiteBlocks::width, SiteBlocks::width, 0.0);
+            std::fill_n(force.y.row(j) + b * SiteBlocks::width, SiteBlocks::width, 0.0);
         }
     }
     team_barrier();

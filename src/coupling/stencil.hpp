@@ -5,6 +5,7 @@
 
 #include "coupling/delta/delta.hpp"
 #include "grid/field.hpp"
+#include "grid/site_blocks.hpp"
 #include "membrane/suspension.hpp"
 
 namespace tt {
@@ -17,11 +18,12 @@ struct Stencils {
     std::vector<std::int32_t> i, j;  ///< per node: lower left site of the block
     std::vector<double> wx, wy;      ///< per node: `reach` weights along each axis
     std::vector<double> sx, sy;      ///< per node: their derivatives by the node's position
+    SiteBlocks near_membranes;       ///< marks all sites of all blocks, where they stand in the box
 
     Stencils() = default;
-    explicit Stencils(int node_count)
+    Stencils(const Lattice& lattice, int node_count)
         : i(node_count), j(node_count), wx(reach * node_count), wy(reach * node_count),
-          sx(reach * node_count), sy(reach * node_count) {}
+          sx(reach * node_count), sy(reach * node_count), near_membranes(lattice) {}
 };
 
 /// Weights of every node. Near a wall, where the block sticks out of the fluid, the y weights are made one-sided so
@@ -36,7 +38,7 @@ enum class Order : std::uint8_t { zeroth, first };
 /// thread adds, in node order, what falls on its own rows, so the bits do not depend on the number of threads. Team function.
 void spread(Order order, const Stencils& stencils, const Suspension& cells, VectorField& force);
 
-/// Zeroes the sites and halo sites that the last `spread` with these stencils touched. Team function.
+/// Zeroes what the last `spread` with these stencils and the `fold` after it left. Team function.
 void unspread(const Stencils& stencils, VectorField& force);
 
 /// Eq. 7: node velocities (and shear rates) from the velocity field (halo filled). Team function.

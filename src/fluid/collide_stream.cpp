@@ -8,7 +8,8 @@ namespace tt {
 
 void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& boundaries,
                         Vec2 body_force, const VectorField& force, const Relaxation& relaxation,
-                        Populations& populations, VectorField& velocity) {
+                        Populations& populations, VectorField& velocity,
+                        const SiteBlocks* near_membranes) {
     const Lattice& lattice = populations.lattice();
     TT_EXPECTS(force.x.lattice() == lattice && velocity.x.lattice() == lattice);
     TT_EXPECTS(relaxation.even.lattice() == lattice && relaxation.odd.lattice() == lattice);
@@ -16,7 +17,11 @@ void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& bounda
     row.count = lattice.nx;
     row.body_force = body_force;
     const auto [begin, end] = team_share(lattice.ny);
-    for (int j = begin; j < end; ++j) {
+    // Upwards and downwards in turn: the rows of the end of one pass, still in the cache, are the
+    // first of the next. The order of sites does not matter to an update in place.
+    const bool upwards = populations.phase == Populations::Phase::even;
+    for (int n = 0; n < end - begin; ++n) {
+        const int j = upwards ? begin + n : end - 1 - n;
         for (int i = 0; i < d2q9::count; ++i) row.at[i] = populations.arrivals(i, j);
         row.force_x = force.x.row(j);
         row.force_y = force.y.row(j);
@@ -24,6 +29,7 @@ void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& bounda
         row.odd = relaxation.odd.row(j);
         row.velocity_x = velocity.x.row(j);
         row.velocity_y = velocity.y.row(j);
+        row.near_membranes = near_membranes ? near_membranes->row(j) : nullptr;
         std::visit([&](auto kind) { collide_row(kind, row); }, equilibrium);
         finish_departures(boundaries, populations, j);
     }

@@ -26,7 +26,8 @@ void finish_step(const Model& m, State& s) {
 
 }  // namespace
 
-void advance(const Model& m, State& s, Exchange& x) {
+void advance(const Model& m, State& s, Exchange& x, FlowKept kept) {
+    const bool everywhere = kept == FlowKept::everywhere || drive_looks_at(s.step);
     const Order order = m.jump.has_dipole() ? Order::first : Order::zeroth;
     set_membrane_forces(m.membrane, s.cells);                                          // Eqs. 10–15
     add_pair_forces(m.contact, m.lattice, s.cells, s.contact);                         // Eqs. 16–17
@@ -37,7 +38,7 @@ void advance(const Model& m, State& s, Exchange& x) {
     x.fold(s.force);
     update_viscosity(m.viscosity, s.cells, s.interior, s.relaxation);
     collide_and_stream(m.equilibrium, m.boundaries, {s.drive.body_force, 0.0}, s.force, s.relaxation, s.populations,
-                       s.velocity);                                                    // Eqs. 1–4
+                       s.velocity, everywhere ? nullptr : &s.stencils.near_membranes); // Eqs. 1–4
     settle(x, s.populations);
     x.fill(s.velocity);
     interpolate(order, s.stencils, s.velocity, s.cells);                               // Eq. 7

@@ -26,7 +26,7 @@ void derive(const Model& model, State& state) {
     state.velocity = VectorField(lattice);
     fill_velocity(state, state.velocity);
     state.relaxation = Relaxation(lattice);
-    state.stencils = Stencils(state.cells.node_count());
+    state.stencils = Stencils(lattice, state.cells.node_count());
     locate(model.delta, lattice, state.cells, state.stencils);
     if (state.interior.x.size() == state.cells.x.size())  // kept by a checkpoint
         restore_viscosity(model.viscosity, state.cells, state.interior, state.relaxation);

@@ -24,7 +24,7 @@ double mean_velocity(const Field& ux) {
 }  // namespace
 
 void hold_flow(const Model& model, State& state) {
-    if (state.step % drive_interval != 0) return;
+    if (!drive_looks_at(state.step)) return;
     DriveState& drive = state.drive;
     drive.mean_velocity = mean_velocity(state.velocity.x);
     if (!model.drive.hold_mean_velocity) return;

@@ -156,7 +156,7 @@ std::optional<Instability> Health::node_steps(const Model& model, const State& s
 
 std::optional<Instability> Health::after_step(const Model& model, const State& state) {
     if (auto found = node_steps(model, state)) return found;
-    if (state.step % limits_.interval == 0) return examine(model, state);
+    if (looks_at_flow(state.step)) return examine(model, state);
     return node_places(model, state);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,9 @@ public:
     /// between the walls; every `interval` steps everything that `examine` looks at. What is wrong,
     /// or nothing.
     std::optional<Instability> after_step(const Model& model, const State& state);
+
+    /// Does `after_step` look at the velocity of all sites after this step?
+    bool looks_at_flow(std::int64_t step) const { return step % limits_.interval == 0; }
 
     /// All checks but the node step: node places, speed at every site, area and orientation of
     /// every cell, outlines that cross themselves. To be called before a state is written over a

@@ -13,15 +13,23 @@ void run_steps(const Model& model, State& state, Exchange& exchange, Health& hea
                std::int64_t until, Clock::time_point wake) {
     TT_EXPECTS(state.step < until);
     std::optional<Instability> fault;
-    bool more = true;
+    bool done = false, last = false;
+    FlowKept kept = FlowKept::everywhere;
+    const auto look_ahead = [&] {
+        const std::int64_t next = state.step + 1;
+        last = next >= until || stop_requested() || Clock::now() >= wake;
+        kept = last || health.looks_at_flow(next) ? FlowKept::everywhere : FlowKept::near_membranes;
+    };
+    look_ahead();
     with_team(model.threads, [&] {
-        // `more` changes only between the two barriers of on_one_thread and advance, so all threads
-        // read the same.
-        while (more) {
-            advance(model, state, exchange);
+        // `done`, `kept` and `last` change only between the two barriers of on_one_thread and
+        // advance, so all threads read the same.
+        while (!done) {
+            advance(model, state, exchange, kept);
             on_one_thread([&] {
                 fault = health.after_step(model, state);
-                more = !fault && state.step < until && !stop_requested() && Clock::now() < wake;
+                done = fault || last;
+                look_ahead();
             });
         }
     });

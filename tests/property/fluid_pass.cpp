@@ -101,6 +101,41 @@ double worst_difference(const Populations& a, const Populations& b) {
     return worst;
 }
 
+/// Marks random blocks of sites and takes the force off all others.
+SiteBlocks random_blocks(Scene& s) {
+    SiteBlocks blocks(s.lattice);
+    for_each_site(s.lattice, [&](int i, int j) {
+        std::uint8_t& mark = blocks.row(j)[i / SiteBlocks::width];
+        if (i % SiteBlocks::width == 0) mark = below(2) == 0 ? 1 : 0;
+        if (!mark) s.force.x(i, j) = s.force.y(i, j) = 0.0;
+    });
+    return blocks;
+}
+
+TEST(FluidPass, leaving_out_force_and_velocity_away_from_membranes_changes_no_bit) {
+    EXPECT_TRUE(rc::check([] {
+        Scene all = random_scene();
+        const SiteBlocks blocks = random_blocks(all);
+        Scene some = all;
+        VectorField everywhere(all.lattice), near_membranes(all.lattice);
+        Periodic exchange;
+        for (int step = 0; step < 3; ++step) {
+            collide_and_stream(all.equilibrium, all.boundaries, all.body_force, all.force,
+                               all.relaxation, all.populations, everywhere);
+            collide_and_stream(some.equilibrium, some.boundaries, some.body_force, some.force,
+                               some.relaxation, some.populations, near_membranes, &blocks);
+            settle(exchange, all.populations);
+            settle(exchange, some.populations);
+        }
+        RC_ASSERT(worst_difference(all.populations, some.populations) == 0.0);
+        for_each_site(all.lattice, [&](int i, int j) {
+            if (!blocks.row(j)[i / SiteBlocks::width]) return;
+            RC_ASSERT(near_membranes.x(i, j) == everywhere.x(i, j));
+            RC_ASSERT(near_membranes.y(i, j) == everywhere.y(i, j));
+        });
+    }));
+}
+
 TEST(FluidPass, fast_and_reference_pass_agree_to_rounding) {
     for (const Equilibrium& equilibrium : equilibria) {
         EXPECT_TRUE(rc::check([&] {
