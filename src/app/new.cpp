@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -53,6 +54,7 @@ int write_case(const NewOptions& options) {
     replace_file(path, renamed(std::string(chosen.text), path.stem().string()),
                  Durability::process);
     fmt::print("wrote {}\n", path.string());
+    std::fflush(stdout);  // before what goes to stderr
     fmt::print(stderr, "next:  tanktread check {0}\n       tanktread run {0}\n", path.string());
     return exit_code::done;
 }

@@ -26,7 +26,7 @@ struct ResultsOptions {
 
 int show_status(const ResultsOptions& options) {
     const Json status = read_status(options.directories.front());
-    fmt::print("{}\n", options.json ? status.dump(2) : describe_status(status));
+    fmt::print("{}", options.json ? status.dump(2) + "\n" : describe_status(status));
     return exit_code::done;
 }
 

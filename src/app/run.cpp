@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -66,10 +67,12 @@ int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
     switch (outcome.ending) {
         case RunOutcome::Ending::done:
             fmt::print("{}\n", directory);
+            std::fflush(stdout);  // before what goes to stderr
             fmt::print(stderr, "next:  tanktread report {}\n", directory);
             return exit_code::done;
         case RunOutcome::Ending::was_done:
             fmt::print("{}\n", directory);
+            std::fflush(stdout);
             fmt::print(stderr,
                        "{} is finished, {} steps; --fresh begins anew and keeps it beside\n",
                        directory, outcome.steps);

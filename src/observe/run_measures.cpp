@@ -83,7 +83,8 @@ double largest_speed(const VectorField& velocity) {
 }
 
 /// Σ A / (length × width), and Σ A_c v_c / length over the flux.
-void measure_hematocrit(const Model& model, std::span<const CellMeasures> cells, RunMeasures& m) {
+void measure_hematocrit(const Model& model, const State& state,
+                        std::span<const CellMeasures> cells, RunMeasures& m) {
     double area = 0.0, carried = 0.0;
     for (const CellMeasures& c : cells) {
         area += c.area.si;
@@ -91,7 +92,8 @@ void measure_hematocrit(const Model& model, std::span<const CellMeasures> cells,
     }
     const double length = model.lattice.nx * model.scales.length;
     m.hematocrit_tube = area / (length * model.lattice.ny * model.scales.length);
-    const bool carries = !walls_drive(model) && m.flux.si != 0.0;
+    const bool carries = !walls_drive(model) && driving_gradient(model, state) != 0.0 &&
+                         m.flux.si != 0.0;
     m.hematocrit_discharge = carries ? carried / length / m.flux.si : undefined;
 }
 
@@ -187,13 +189,14 @@ RunMeasures measure_run(const Model& model, const State& state,
     m.time = Time{static_cast<double>(state.step) * model.scales.time};
     m.step = state.step;
     measure_flow(model, state, m);
-    measure_hematocrit(model, cells, m);
+    measure_hematocrit(model, state, cells, m);
     measure_shapes(cells, m);
     measure_layers(model, state, m);
     m.mach = largest_speed(state.velocity) * std::numbers::sqrt3;
     m.overlaps = static_cast<std::int64_t>(find_overlaps(model.lattice, state.cells).size());
     m.repulsion_count = state.contact.repulsion_count;
-    m.smallest_gap = model.scales.to_si<Length>(state.contact.smallest_gap);
+    m.smallest_gap = cells.empty() ? Length{undefined}
+                                   : model.scales.to_si<Length>(state.contact.smallest_gap);
     return m;
 }
 

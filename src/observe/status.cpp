@@ -1,11 +1,13 @@
 #include "observe/status.hpp"
 
 #include <ctime>
+#include <limits>
 
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "base/error.hpp"
 #include "observe/progress.hpp"
 #include "observe/results_directory.hpp"
 
@@ -45,23 +47,39 @@ void write_status(const std::filesystem::path& results, const Standing& s,
 }
 
 Json read_status(const std::filesystem::path& results) {
+    if (!std::filesystem::is_directory(results))
+        throw IoError(results.string() + ": no such results directory");
+    if (!std::filesystem::exists(results / "status.json"))
+        throw IoError(results.string() +
+                      ": holds no results (no status.json); give a directory that `tanktread run` "
+                      "wrote");
     Json status = read_json(results / "status.json");
     if (status.value("status", std::string()) == "running" && !is_running(results))
         status["status"] = "interrupted";
     return status;
 }
 
+namespace {
+
+/// A number of the status; JSON has no infinity and writes null for it.
+double number(const Json& status, const char* key, double otherwise) {
+    const auto found = status.find(key);
+    return found != status.end() && found->is_number() ? found->get<double>() : otherwise;
+}
+
+}  // namespace
+
 std::string describe_status(const Json& status) {
     Standing s;
     s.step = status.value("step", s.step);
     s.steps = status.value("steps", s.steps);
-    s.time = status.value("time", s.time);
-    s.end = status.value("end", s.end);
-    s.steps_per_second = status.value("steps_per_second", s.steps_per_second);
-    s.mlups = status.value("mlups", s.mlups);
+    s.time = number(status, "time", s.time);
+    s.end = number(status, "end", s.end);
+    s.steps_per_second = number(status, "steps_per_second", s.steps_per_second);
+    s.mlups = number(status, "mlups", s.mlups);
     s.cells = status.value("cells", s.cells);
-    s.lambda_C = status.value("lambda_C", s.lambda_C);
-    s.seconds_left = status.value("seconds_left", s.seconds_left);
+    s.lambda_C = number(status, "lambda_C", s.lambda_C);
+    s.seconds_left = number(status, "seconds_left", std::numeric_limits<double>::infinity());
     const std::string phase = status.value("status", "unknown");
     std::string text =
         fmt::format("{}: {}\n{}\n", status.value("name", "?"), phase, progress_line(s));

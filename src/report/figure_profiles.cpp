@@ -69,7 +69,7 @@ LineFigure across(std::span<const Results> runs, const std::string& name,
 }
 
 void finish(const LineFigure& figure, const fs::path& out, std::vector<Figure>& drawn) {
-    if (figure.curves.empty()) return;
+    if (!has_points(figure)) return;
     draw(figure, out);
     drawn.push_back({figure.name, figure.caption});
 }

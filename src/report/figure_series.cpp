@@ -86,12 +86,7 @@ std::pair<Column, Column> cell_curves(const Results& run, const std::string& col
 }
 
 void finish(const LineFigure& figure, const fs::path& out, std::vector<Figure>& drawn) {
-    const bool any =
-        std::any_of(figure.curves.begin(), figure.curves.end(), [](const Curve& curve) {
-            return curve.columns.size() > 1 && !curve.columns[0].empty() &&
-                   !curve.columns[1].empty();
-        });
-    if (!any) return;
+    if (!has_points(figure)) return;
     draw(figure, out);
     drawn.push_back({figure.name, figure.caption});
 }
@@ -164,6 +159,7 @@ LineFigure inclination_figure(const TimePlots& plots) {
     figure.caption = "Inclination of the long axis to the flow, mean over cells" +
                      std::string(plots.single() ? " (thick), each cell thin." : ".") +
                      window_note(plots);
+    figure.commands.push_back("set key outside top center horizontal samplen 1.2");
     if (plots.single()) {
         auto [time, value] = cell_curves(plots.runs[0], "inclination_deg", plots.unit.per_second);
         // A long axis that turns past 90° reappears at −90°: break the line there.
@@ -191,7 +187,8 @@ LineFigure area_figure(const TimePlots& plots) {
     figure.caption = "Largest relative area error of any cell over time.";
     add_column(figure, plots, "area_error_max", "", 1.0, 1);
     for (Curve& curve : figure.curves)
-        for (double& value : curve.columns[1]) value = value == 0.0 ? nan : std::abs(value);
+        for (double& value : curve.columns[1])  // round-off before the first step is no error
+            value = std::abs(value) < 1e-12 ? nan : std::abs(value);
     figure.commands.insert(figure.commands.end(),
                            {"set logscale y", "set format y \"10^{%L}\"", "set key bottom right"});
     return figure;

@@ -15,6 +15,22 @@ namespace tt {
 /// colour each.
 std::vector<Figure> draw_figures(std::span<const Results> runs, const std::filesystem::path& out);
 
+/// Every figure of one run, and its words for the page's note of those that were not drawn.
+struct FigureName {
+    std::string_view name, words;
+};
+inline constexpr FigureName all_figures[] = {
+    {"flow", "cells and flow"},
+    {"lambda_C", "perimeter extension ratio"},
+    {"deformation", "Taylor deformation"},
+    {"inclination", "inclination"},
+    {"mu_rel", "apparent viscosity"},
+    {"cell_free_layer", "cell-free layer"},
+    {"area_error", "area error"},
+    {"velocity_profile", "velocity profile"},
+    {"hematocrit_profile", "hematocrit profile"},
+};
+
 /// The parts of draw_figures. Each appends what it could draw.
 void draw_flow(const Results& run, const std::filesystem::path& out, std::vector<Figure>& drawn);
 void draw_series(std::span<const Results> runs, const std::filesystem::path& out,

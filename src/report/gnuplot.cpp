@@ -1,5 +1,7 @@
 #include "report/gnuplot.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -42,6 +44,15 @@ set output "{4}." . type
 unset output
 )";
 
+bool has_points(const Curve& curve) {
+    const std::size_t rows = curve.columns.empty() ? 0 : curve.columns.front().size();
+    for (std::size_t row = 0; row < rows; ++row)
+        if (std::all_of(curve.columns.begin(), curve.columns.end(),
+                        [&](const auto& c) { return row < c.size() && std::isfinite(c[row]); }))
+            return true;
+    return false;
+}
+
 /// Runs gnuplot inside `out`; its messages go to name.log, which stays only if it fails.
 void execute(const fs::path& out, const std::string& name) {
     std::string folder = out.string();
@@ -65,7 +76,7 @@ void execute(const fs::path& out, const std::string& name) {
 std::string data_text(const LineFigure& figure) {
     std::string text = "# columns: " + fmt::format("{}\n", fmt::join(figure.column_names, ", "));
     for (const Curve& curve : figure.curves) {
-        if (curve.columns.empty() || curve.columns.front().empty()) continue;
+        if (!has_points(curve)) continue;
         text += fmt::format("# {}\n", curve.title.empty() ? "untitled" : curve.title);
         for (std::size_t row = 0; row < curve.columns.front().size(); ++row) {
             for (std::size_t c = 0; c < curve.columns.size(); ++c)
@@ -78,6 +89,11 @@ std::string data_text(const LineFigure& figure) {
 }
 
 }  // namespace
+
+bool has_points(const LineFigure& figure) {
+    return std::any_of(figure.curves.begin(), figure.curves.end(),
+                       [](const Curve& curve) { return has_points(curve); });
+}
 
 std::string gnuplot_string(std::string_view text) {
     std::string result = "'";
@@ -107,7 +123,7 @@ void draw(const LineFigure& figure, const fs::path& out) {
     for (const std::string& command : figure.commands) body += command + '\n';
     int index = 0;
     for (const Curve& curve : figure.curves) {
-        if (curve.columns.empty() || curve.columns.front().empty()) continue;
+        if (!has_points(curve)) continue;
         const std::string title = curve.title.empty()
                                       ? "notitle"
                                       : "title " + gnuplot_string(curve.title) + " noenhanced";

@@ -29,11 +29,14 @@ struct LineFigure {
     std::vector<Curve> curves;
 };
 
+/// Whether any curve has a row of numbers only. gnuplot refuses a figure without.
+bool has_points(const LineFigure& figure);
+
 /// Text between gnuplot's single quotes.
 std::string gnuplot_string(std::string_view text);
 
 /// Writes name.dat (one block a curve) and name.gp and draws name.png and name.svg. Curves without
-/// rows are left out. Precondition: at least one curve has rows.
+/// a row of numbers are left out. Precondition: has_points(figure).
 void draw(const LineFigure& figure, const std::filesystem::path& out);
 
 /// Writes name.gp, which draws `body` (the plot commands) once as PNG and once as SVG of width ×

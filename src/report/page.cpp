@@ -1,10 +1,13 @@
 #include "report/page.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/version.hpp"
 #include "io/file.hpp"
 #include "report/assets.hpp"
+#include "report/figures.hpp"
 #include "report/html.hpp"
 #include "report/page_tables.hpp"
 #include "report/words.hpp"
@@ -36,14 +39,28 @@ std::string figure_markup(const Figure& figure, const fs::path& folder) {
         link(figure.name + ".gp", "script"));
 }
 
-std::string figures_section(const std::vector<Figure>& figures, const fs::path& folder) {
+/// The figures of one run that its results have no data for.
+std::string left_out_note(const std::vector<Figure>& figures) {
+    std::string list;
+    for (const FigureName& each : all_figures) {
+        const auto drawn = [&](const Figure& f) { return f.name == each.name; };
+        if (std::any_of(figures.begin(), figures.end(), drawn)) continue;
+        list.append(list.empty() ? "" : ", ").append(each.words);
+    }
+    if (list.empty()) return "";
+    return fmt::format(
+        "<p class=\"soft\">Left out, as these results have no data for them: {}.</p>\n", list);
+}
+
+std::string figures_section(const std::vector<Figure>& figures, const fs::path& folder,
+                            const std::string& note) {
     std::string text = "<h2>Figures</h2>\n";
     if (figures.empty()) return text + "<p>Nothing to draw yet.</p>\n";
     text +=
         "<p class=\"soft\">Each lies in figures/ as PNG and SVG, with its data and the gnuplot "
         "script that draws it.</p>\n<div class=\"figures\">\n";
     for (const Figure& figure : figures) text += figure_markup(figure, folder);
-    return text + "</div>\n";
+    return text + "</div>\n" + note;
 }
 
 /// What the page left out of the frames, in words.
@@ -140,7 +157,7 @@ std::string report_page(std::span<const Results> runs, const std::vector<Figure>
     page += "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n";
     page += introduction(runs, labels) + player_section(data["players"]);
     page += checks_section(runs, labels) + summary_section(runs, labels);
-    page += figures_section(figures, figures_folder);
+    page += figures_section(figures, figures_folder, runs.size() == 1 ? left_out_note(figures) : "");
     page.append(assets::charts_markup);
     page += repeat_section(runs) + provenance_section(runs, labels);
     page += fmt::format(

@@ -175,6 +175,40 @@ TEST_F(RunVerb, prints_where_the_results_are_and_says_when_they_are_finished) {
               "done");
 }
 
+TEST_F(RunVerb, report_leaves_out_figures_that_have_no_data_and_says_so) {
+    ASSERT_EQ(run(small_run("plasma")).code, 0);
+    const Outcome of_plasma = run({"report", path("plasma").string()});
+    EXPECT_EQ(of_plasma.code, 0) << of_plasma.err;
+    EXPECT_FALSE(fs::exists(path("plasma") / "figures" / "lambda_C.png"));
+    EXPECT_TRUE(fs::exists(path("plasma") / "figures" / "mu_rel.png"));
+
+    std::vector<std::string> relaxing = small_run("relaxing");
+    relaxing[1] = source("cases/04-cell-relaxing/case.toml");
+    relaxing[7] = "time.end=1 ms";
+    ASSERT_EQ(run(relaxing).code, 0);
+    const Outcome at_rest = run({"report", path("relaxing").string()});
+    EXPECT_EQ(at_rest.code, 0) << at_rest.err;
+    EXPECT_TRUE(fs::exists(path("relaxing") / "figures" / "lambda_C.png"));
+    EXPECT_FALSE(fs::exists(path("relaxing") / "figures" / "mu_rel.png"));
+    std::ostringstream page;
+    page << std::ifstream(path("relaxing") / "report.html").rdbuf();
+    EXPECT_NE(page.str().find("have no data for them: apparent viscosity"), std::string::npos);
+    EXPECT_EQ(page.str().find("thinner films of plasma"), std::string::npos)
+        << "no gap is judged where none was looked for";
+}
+
+TEST_F(RunVerb, status_of_a_run_that_was_killed_before_it_had_a_pace_is_told) {
+    ASSERT_EQ(run(small_run("a")).code, 0);
+    tt::Json status = tt::Json::parse(std::ifstream(path("a") / "status.json"));
+    status["status"] = "running";
+    status["seconds_left"] = nullptr;
+    std::ofstream(path("a") / "status.json") << status;
+    const Outcome outcome = run({"status", path("a").string()});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("interrupted"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("? left"), std::string::npos) << outcome.out;
+}
+
 TEST_F(RunVerb, never_touches_results_of_another_case) {
     ASSERT_EQ(run(small_run("a")).code, 0);
     std::vector<std::string> other = small_run("a");
