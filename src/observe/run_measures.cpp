@@ -92,8 +92,9 @@ void measure_hematocrit(const Model& model, const State& state,
     }
     const double length = model.lattice.nx * model.scales.length;
     m.hematocrit_tube = area / (length * model.lattice.ny * model.scales.length);
-    const bool carries = !walls_drive(model) && driving_gradient(model, state) != 0.0 &&
-                         m.flux.si != 0.0;
+    // A mean of round-off, as in fluid at rest, carries nothing.
+    const double fastest = largest_speed(state.velocity) * model.scales.length / model.scales.time;
+    const bool carries = !walls_drive(model) && std::abs(m.mean_velocity.si) > 1e-9 * fastest;
     m.hematocrit_discharge = carries ? carried / length / m.flux.si : undefined;
 }
 
