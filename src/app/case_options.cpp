@@ -4,10 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <thread>
 
 #include "app/verb.hpp"
+#include "base/error.hpp"
 #include "base/units.hpp"
+#include "case/read.hpp"
 
 namespace tt {
 
@@ -16,6 +19,18 @@ void add_case_options(CLI::App& verb, CaseOptions& options) {
     verb.add_option("--set", options.overrides, "KEY=VALUE in place of the file's; may be repeated")
         ->allow_extra_args(false);
     add_threads_option(verb, options.threads);
+}
+
+Case read_given_case(const CaseOptions& options) {
+    namespace fs = std::filesystem;
+    const fs::path given = options.path;
+    if (!fs::is_regular_file(given)) {
+        for (const fs::path& meant : {fs::path(options.path + ".toml"), given / "case.toml"})
+            if (fs::is_regular_file(meant))
+                throw IoError(fmt::format("'{}' is not a case file; did you mean {}?", options.path,
+                                          meant.string()));
+    }
+    return read_case(given, options.overrides);
 }
 
 void add_threads_option(CLI::App& verb, int& threads) {

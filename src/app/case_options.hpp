@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/quantity.hpp"
+#include "case/case.hpp"
 #include "simulation/model.hpp"
 
 namespace CLI {
@@ -22,6 +23,9 @@ struct CaseOptions {
 
 /// Adds the case file, --set and -j.
 void add_case_options(CLI::App& verb, CaseOptions& options);
+
+/// Reads the case. Throws CaseError; IoError, with the file that was probably meant, if there is none.
+Case read_given_case(const CaseOptions& options);
 
 /// Adds -j alone.
 void add_threads_option(CLI::App& verb, int& threads);

@@ -13,7 +13,6 @@
 #include "case/appraise.hpp"
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
-#include "case/read.hpp"
 #include "io/json.hpp"
 
 namespace tt {
@@ -192,7 +191,7 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
 }
 
 int check(const CheckOptions& options) {
-    const Case c = read_case(options.given.path, options.given.overrides);
+    const Case c = read_given_case(options.given);
     const Choice choice = choose(c);
     Model model = discretise(c, choice);
     model.threads = thread_count(options.given.threads, model.lattice);

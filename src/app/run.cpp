@@ -13,7 +13,6 @@
 #include "base/units.hpp"
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
-#include "case/read.hpp"
 #include "case/resolve.hpp"
 #include "exchange/periodic.hpp"
 #include "io/file.hpp"
@@ -84,7 +83,7 @@ int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
 }
 
 int run(const RunOptions& options, const std::string& command_line) {
-    const Case c = read_case(options.given.path, options.given.overrides);
+    const Case c = read_given_case(options.given);
     const Choice choice = choose(c);
     Model model = discretise(c, choice);
     model.threads = thread_count(options.given.threads, model.lattice);

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <variant>
-#include <limits>
 #include <vector>
 
 #include "grid/lattice.hpp"
@@ -71,9 +70,8 @@ struct CellContacts {
 struct ContactState {
     std::int64_t repulsion_count =
         0;  ///< node–steps on which the short-range repulsion acted, per partner
-    /// Between cells, at the last step [sites]; the reach where none is nearer, NaN where none was
-    /// looked for: before the first step and without contact.
-    double smallest_gap = std::numeric_limits<double>::quiet_NaN();
+    double smallest_gap =
+        0.0;  ///< between cells, at the last step [sites]; the reach where none is nearer
 
     std::vector<CellContacts> cells;
     std::vector<double> listed_x, listed_y;  ///< node positions when pairs were last listed

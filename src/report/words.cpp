@@ -128,7 +128,7 @@ Check at_most(const Results& run, const std::string& name, const std::string& co
 }
 
 Check gap_check(const Results& run) {
-    Check check{"smallest gap between cells", "", "≥ one site spacing", false,
+    Check check{"smallest gap between cells", "not measured", "≥ one site spacing", false,
                 "thinner films of plasma than the lattice resolves: forces and friction in them "
                 "are not to be trusted"};
     const std::vector<double>& gaps = values(run.series, "smallest_gap");

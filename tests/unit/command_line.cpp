@@ -63,6 +63,11 @@ TEST(CommandLine, a_file_that_cannot_be_read_ends_with_5) {
     EXPECT_EQ(outcome.code, 5);
     EXPECT_NE(outcome.err.find("no-such-file.toml"), std::string::npos);
     EXPECT_EQ(run({"check", TT_SOURCE_DIR}).code, 5);
+    const Outcome folder = run({"check", source("cases/05-channel")});
+    EXPECT_EQ(folder.code, 5);
+    EXPECT_NE(folder.err.find("did you mean " + source("cases/05-channel/case.toml?")),
+              std::string::npos)
+        << folder.err;
 }
 
 TEST(CommandLine, a_faulty_case_ends_with_2_and_leaves_stdout_empty) {
