@@ -25,7 +25,9 @@ struct Flow {
     Populations populations{lattice};
     double slowest_viscosity = 1.0 / 6.0;
 
-    explicit Flow(const Lattice& l) : lattice(l) { set_viscosity([](int) { return 1.0 / 6.0; }); }
+    explicit Flow(const Lattice& l) : lattice(l) {
+        set_viscosity([](int) { return 1.0 / 6.0; });
+    }
 
     /// Kinematic viscosity of each row.
     template <class F>

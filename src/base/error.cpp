@@ -18,9 +18,11 @@ std::string described(const Instability& what) {
     std::string place;
     if (what.cell >= 0) place += fmt::format(", cell {}", what.cell);
     if (what.node >= 0) place += fmt::format(", node {}", what.node);
-    return fmt::format("unstable at step {} (t = {:.6g} ms{}): {} is {:.4g} {}, limit {:.4g} {}\n  cause: {}\n  cure: {}",
-                       what.step, what.time * 1e3, place, what.quantity, what.value, what.unit, what.limit,
-                       what.unit, what.cause, what.cure);
+    return fmt::format(
+        "unstable at step {} (t = {:.6g} ms{}): {} is {:.4g} {}, limit {:.4g} {}\n  cause: {}\n  "
+        "cure: {}",
+        what.step, what.time * 1e3, place, what.quantity, what.value, what.unit, what.limit,
+        what.unit, what.cause, what.cure);
 }
 
 }  // namespace
@@ -31,8 +33,10 @@ std::string to_string(const Fault& fault) {
     return fmt::format("{}:{}:{}: {}", fault.file, fault.line, fault.column, fault.message);
 }
 
-CaseError::CaseError(std::vector<Fault> faults) : std::runtime_error(joined(faults)), faults_(std::move(faults)) {}
+CaseError::CaseError(std::vector<Fault> faults)
+    : std::runtime_error(joined(faults)), faults_(std::move(faults)) {}
 
-SimulationError::SimulationError(Instability what) : std::runtime_error(described(what)), what_(std::move(what)) {}
+SimulationError::SimulationError(Instability what)
+    : std::runtime_error(described(what)), what_(std::move(what)) {}
 
 }  // namespace tt

@@ -28,7 +28,8 @@ private:
     std::vector<Fault> faults_;
 };
 
-/// A file or directory cannot be read or written (exit 5). The message names the path and the cause.
+/// A file or directory cannot be read or written (exit 5). The message names the path and the
+/// cause.
 class IoError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -45,13 +46,13 @@ struct Instability {
     std::string quantity;  ///< e.g. "node step"
     double value = 0.0;
     double limit = 0.0;
-    std::string unit;      ///< e.g. "sites"
+    std::string unit;  ///< e.g. "sites"
     long long step = 0;
-    double time = 0.0;     ///< [s]
+    double time = 0.0;  ///< [s]
     int cell = -1;
     int node = -1;
-    std::string cause;     ///< likely cause
-    std::string cure;      ///< what to change
+    std::string cause;  ///< likely cause
+    std::string cure;   ///< what to change
 };
 
 /// The simulation left what it can compute (exit 3). The last good state is kept.

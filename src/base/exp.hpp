@@ -7,10 +7,12 @@
 
 namespace tt {
 
-/// e^x for |x| ≤ 700 (clamped beyond), without a branch or a call, so that a loop of it becomes vector code with the same
-/// bits at every vector width. x = k ln 2 + r, |r| ≤ ½ ln 2, Taylor polynomial of degree 13 in r: within 3 ulp.
+/// e^x for |x| ≤ 700 (clamped beyond), without a branch or a call, so that a loop of it becomes
+/// vector code with the same bits at every vector width. x = k ln 2 + r, |r| ≤ ½ ln 2, Taylor
+/// polynomial of degree 13 in r: within 3 ulp.
 TT_INLINE double vector_exp(double x) {
-    constexpr double shift = 0x1.8p52;  // adding it rounds to an integer that then sits in the low bits
+    constexpr double shift =
+        0x1.8p52;  // adding it rounds to an integer that then sits in the low bits
     const double bounded = x > 700.0 ? 700.0 : (x < -700.0 ? -700.0 : x);
     const double shifted = bounded * 1.4426950408889634 + shift;
     const double k = shifted - shift;

@@ -21,9 +21,10 @@ inline constexpr Range any_value{};
 inline constexpr Range positive{0.0, std::numeric_limits<double>::infinity(), true, false};
 inline constexpr Range not_negative{0.0, std::numeric_limits<double>::infinity(), false, false};
 
-/// One field of a struct: its key in files, its member, its meaning in one line, its admissible values. `choices`
-/// lists the words of a string field, separated by '|'. The dimension of a Quantity member is in its type; `example`
-/// is a value as the user would write it ("80 um"), whose unit is the customary one of this field.
+/// One field of a struct: its key in files, its member, its meaning in one line, its admissible
+/// values. `choices` lists the words of a string field, separated by '|'. The dimension of a
+/// Quantity member is in its type; `example` is a value as the user would write it ("80 um"), whose
+/// unit is the customary one of this field.
 template <class S, class T>
 struct FieldEntry {
     std::string_view key;
@@ -40,10 +41,11 @@ FieldEntry(std::string_view, T S::*, std::string_view, Range) -> FieldEntry<S, T
 template <class S, class T>
 FieldEntry(std::string_view, T S::*, std::string_view, Range, std::string_view) -> FieldEntry<S, T>;
 template <class S, class T>
-FieldEntry(std::string_view, T S::*, std::string_view, Range, std::string_view, std::string_view) -> FieldEntry<S, T>;
+FieldEntry(std::string_view, T S::*, std::string_view, Range, std::string_view, std::string_view)
+    -> FieldEntry<S, T>;
 
-/// Specialise with `static constexpr auto entries = std::tuple{FieldEntry{…}, …};`. The one list from which reading,
-/// range faults, units, reference pages, echoes and table headers are made.
+/// Specialise with `static constexpr auto entries = std::tuple{FieldEntry{…}, …};`. The one list
+/// from which reading, range faults, units, reference pages, echoes and table headers are made.
 template <class S>
 struct FieldList;
 

@@ -6,8 +6,9 @@
 
 namespace tt {
 
-/// Four doubles side by side: one AVX register, or two SSE ones. Arithmetic is per element, so the bits are those of scalar
-/// code. For the four-site rows of the delta kernels, which are too short for the compiler to find.
+/// Four doubles side by side: one AVX register, or two SSE ones. Arithmetic is per element, so the
+/// bits are those of scalar code. For the four-site rows of the delta kernels, which are too short
+/// for the compiler to find.
 using Four = double __attribute__((vector_size(32)));
 
 TT_INLINE Four load_four(const double* p) {

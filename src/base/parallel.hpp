@@ -8,17 +8,18 @@
 
 namespace tt {
 
-/// Passes of a step are *team functions*: every thread of one team calls them together, each works on its own contiguous
-/// share, and a barrier ends them. Called outside a team they run on one thread and give the same bits: no sum crosses the
-/// border of a share.
+/// Passes of a step are *team functions*: every thread of one team calls them together, each works
+/// on its own contiguous share, and a barrier ends them. Called outside a team they run on one
+/// thread and give the same bits: no sum crosses the border of a share.
 class Team {
 public:
     explicit Team(int size) : size_(size) {}
 
     int size() const { return size_; }
 
-    /// Waits for all. A step has some twenty of these and takes a tenth of a millisecond, so it spins; but where the machine
-    /// is busy with other work it soon gives way, or a thread that waits would keep the one it waits for from running.
+    /// Waits for all. A step has some twenty of these and takes a tenth of a millisecond, so it
+    /// spins; but where the machine is busy with other work it soon gives way, or a thread that
+    /// waits would keep the one it waits for from running.
     void wait() {
         const unsigned generation = generation_.load(std::memory_order_acquire);
         if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {
@@ -72,7 +73,8 @@ void on_one_thread(F&& f) {
     team_barrier();
 }
 
-/// Runs `f` on every thread of a new team of `threads`, the calling one among them. `f` must not throw.
+/// Runs `f` on every thread of a new team of `threads`, the calling one among them. `f` must not
+/// throw.
 template <class F>
 void with_team(int threads, F&& f) {
     if (threads <= 1) {

@@ -13,8 +13,9 @@ struct Dimension {
     friend constexpr bool operator==(Dimension, Dimension) = default;
 };
 
-/// A number in SI units whose dimension is part of its type. The simulation is two-dimensional per metre of
-/// depth, but quantities keep their three-dimensional dimension: a tension is N/m, a density kg/m³.
+/// A number in SI units whose dimension is part of its type. The simulation is two-dimensional per
+/// metre of depth, but quantities keep their three-dimensional dimension: a tension is N/m, a
+/// density kg/m³.
 template <Dimension D>
 struct Quantity {
     static constexpr Dimension dimension = D;
@@ -35,12 +36,12 @@ using Viscosity = Quantity<Dimension{1, -1, -1}>;
 using KinematicViscosity = Quantity<Dimension{0, 2, -1}>;
 using Pressure = Quantity<Dimension{1, -1, -2}>;
 using PressureGradient = Quantity<Dimension{1, -2, -2}>;
-using Tension = Quantity<Dimension{1, 0, -2}>;           ///< N/m; also an energy per area, J/m²
-using BendingModulus = Quantity<Dimension{1, 2, -2}>;    ///< N m
+using Tension = Quantity<Dimension{1, 0, -2}>;         ///< N/m; also an energy per area, J/m²
+using BendingModulus = Quantity<Dimension{1, 2, -2}>;  ///< N m
 using SurfaceEnergy = Tension;
 
-/// The one place where SI and lattice units meet: the SI value of one lattice unit of length, time and mass.
-/// A lattice value is si / (mass^kg · length^m · time^s), whatever the quantity.
+/// The one place where SI and lattice units meet: the SI value of one lattice unit of length, time
+/// and mass. A lattice value is si / (mass^kg · length^m · time^s), whatever the quantity.
 struct Scales {
     double length = 1.0;  ///< site spacing h [m]
     double time = 1.0;    ///< time step Δt [s]
@@ -51,9 +52,13 @@ struct Scales {
         return std::pow(mass, d.kg) * std::pow(length, d.m) * std::pow(time, d.s);
     }
     template <Dimension D>
-    double to_lattice(Quantity<D> q) const { return q.si / unit(D); }
+    double to_lattice(Quantity<D> q) const {
+        return q.si / unit(D);
+    }
     template <class Q>
-    Q to_si(double lattice) const { return Q{lattice * unit(Q::dimension)}; }
+    Q to_si(double lattice) const {
+        return Q{lattice * unit(Q::dimension)};
+    }
 };
 
 }  // namespace tt

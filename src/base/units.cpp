@@ -157,8 +157,7 @@ std::string unknown_unit(std::string_view name) {
         if (a.name == name) return fmt::format("unknown unit '{}'; write '{}'", name, a.symbol);
     std::vector<std::string_view> known{"um",  "nm",  "mm", "cm", "ms", "us", "cP",
                                         "mPa", "kPa", "kg", "uN", "mN", "pN"};
-    for (const Symbol& s : symbols)
-        known.push_back(s.name);
+    for (const Symbol& s : symbols) known.push_back(s.name);
     if (const auto near = closest(name, known))
         return fmt::format("unknown unit '{}'; did you mean '{}'?", name, *near);
     return fmt::format("unknown unit '{}'", name);
@@ -179,8 +178,7 @@ public:
 
 private:
     void skip_spaces() {
-        while (position_ < text_.size() && text_[position_] == ' ')
-            ++position_;
+        while (position_ < text_.size() && text_[position_] == ' ') ++position_;
     }
     bool at_end() const { return position_ >= text_.size() || text_[position_] == ')'; }
 
@@ -225,8 +223,7 @@ private:
         if (position_ < text_.size() && (text_[position_] == '%' || text_[position_] == '1'))
             ++position_;
         else
-            while (position_ < text_.size() && is_letter(text_[position_]))
-                ++position_;
+            while (position_ < text_.size() && is_letter(text_[position_])) ++position_;
         const std::string_view name = text_.substr(begin, position_ - begin);
         if (name.empty() && position_ < text_.size())
             throw UnitError(fmt::format("'{}' is not expected in a unit", text_[position_]));
@@ -357,8 +354,7 @@ std::string searched_text(double si, const Unit& unit, std::string_view name) {
 std::size_t number_length(std::string_view text) {
     const auto digits = [&](std::size_t at) {
         std::size_t n = 0;
-        while (at + n < text.size() && std::isdigit(static_cast<unsigned char>(text[at + n])))
-            ++n;
+        while (at + n < text.size() && std::isdigit(static_cast<unsigned char>(text[at + n]))) ++n;
         return n;
     };
     std::size_t i = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
@@ -379,18 +375,15 @@ std::size_t number_length(std::string_view text) {
 }
 
 Measure parse_measure(std::string_view text) {
-    while (!text.empty() && text.front() == ' ')
-        text.remove_prefix(1);
-    while (!text.empty() && text.back() == ' ')
-        text.remove_suffix(1);
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
     if (text.size() > 200) throw UnitError("is too long for a number with a unit");
     const std::size_t length = number_length(text);
     if (length == 0) throw UnitError("does not start with a number");
     if (length < text.size() && text[length] == ',')
         throw UnitError("has a decimal comma; write a point");
     std::string_view rest = text.substr(length);
-    while (!rest.empty() && rest.front() == ' ')
-        rest.remove_prefix(1);
+    while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
     const Unit unit = rest.empty() ? Unit{} : UnitParser(rest).parse();
     return {to_si(text.substr(0, length), unit), unit.dimension};
 }

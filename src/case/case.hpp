@@ -9,25 +9,26 @@
 
 namespace tt {
 
-/// What the user asked for, in SI units, one struct per table of the case file. An empty optional is "auto" or absent;
-/// `discretise` decides. Field lists (key, member, range, meaning) are in case/schema.hpp.
+/// What the user asked for, in SI units, one struct per table of the case file. An empty optional
+/// is "auto" or absent; `discretise` decides. Field lists (key, member, range, meaning) are in
+/// case/schema.hpp.
 
 struct DomainCase {
-    Length length;  ///< along the flow, periodic
-    Length width;   ///< between the walls
+    Length length;                ///< along the flow, periodic
+    Length width;                 ///< between the walls
     std::string sides = "walls";  ///< walls | periodic
 
     friend bool operator==(const DomainCase&, const DomainCase&) = default;
 };
 
 struct FlowCase {
-    std::string drive = "none";           ///< none | pressure | body-force | shear
-    std::optional<Rate> pseudo_shear_rate;    ///< mean velocity / width (pressure, body-force)
+    std::string drive = "none";             ///< none | pressure | body-force | shear
+    std::optional<Rate> pseudo_shear_rate;  ///< mean velocity / width (pressure, body-force)
     std::optional<PressureGradient> pressure_gradient;  ///< instead of pseudo_shear_rate
-    std::string hold = "pressure-drop";   ///< pressure-drop | mean-velocity
-    std::string start = "developed";      ///< developed: the flow without cells | rest
-    std::optional<Rate> shear_rate;       ///< drive = shear: walls move with ± shear_rate · width / 2
-    std::optional<double> shear_number;   ///< G = μ k a / E_s (Eq. 19), instead of shear_rate
+    std::string hold = "pressure-drop";                 ///< pressure-drop | mean-velocity
+    std::string start = "developed";  ///< developed: the flow without cells | rest
+    std::optional<Rate> shear_rate;   ///< drive = shear: walls move with ± shear_rate · width / 2
+    std::optional<double> shear_number;  ///< G = μ k a / E_s (Eq. 19), instead of shear_rate
 
     friend bool operator==(const FlowCase&, const FlowCase&) = default;
 };
@@ -49,16 +50,18 @@ struct LayerCase {
 
 struct CellsCase {
     std::optional<std::int64_t> count;
-    std::optional<double> hematocrit;     ///< instead of count: Σ area / box area
-    std::string shape = "circle";         ///< circle | ellipse | biconcave | file
-    Length radius{4e-6};                  ///< circle; biconcave: R₀
-    std::optional<double> aspect_ratio;   ///< ellipse: major / minor semi-axis at the area of the circle
-    std::optional<std::string> file;      ///< x,y in µm, one node a line, counter-clockwise
-    std::string layout = "single";        ///< single | paper | random | explicit
-    std::vector<std::vector<Length>> positions;   ///< layout = explicit: [x, y]
-    Angle angle;                          ///< initial rotation, counter-clockwise
-    std::optional<double> initial_stretch;    ///< start as an ellipse of this axis ratio, stress-free shape unchanged
-    Length perturbation{0.5e-6};          ///< paper: largest random shift of each cell in x and y
+    std::optional<double> hematocrit;  ///< instead of count: Σ area / box area
+    std::string shape = "circle";      ///< circle | ellipse | biconcave | file
+    Length radius{4e-6};               ///< circle; biconcave: R₀
+    std::optional<double>
+        aspect_ratio;  ///< ellipse: major / minor semi-axis at the area of the circle
+    std::optional<std::string> file;             ///< x,y in µm, one node a line, counter-clockwise
+    std::string layout = "single";               ///< single | paper | random | explicit
+    std::vector<std::vector<Length>> positions;  ///< layout = explicit: [x, y]
+    Angle angle;                                 ///< initial rotation, counter-clockwise
+    std::optional<double>
+        initial_stretch;  ///< start as an ellipse of this axis ratio, stress-free shape unchanged
+    Length perturbation{0.5e-6};  ///< paper: largest random shift of each cell in x and y
     std::int64_t seed = 1;
     Viscosity cytoplasm_viscosity{6e-3};
 
@@ -67,8 +70,9 @@ struct CellsCase {
 
 struct HardeningCase {
     std::vector<std::string> apply_to{"shear", "bending", "area", "contact"};
-    std::string form = "exponential";        ///< exponential | power-exponential (the two repairs of Eq. 12)
-    std::string compression = "symmetric";   ///< symmetric | one | as-printed, for stretch < 1
+    std::string form =
+        "exponential";  ///< exponential | power-exponential (the two repairs of Eq. 12)
+    std::string compression = "symmetric";  ///< symmetric | one | as-printed, for stretch < 1
     double D = 0.55;
     double beta = 16.0;
 
@@ -76,26 +80,27 @@ struct HardeningCase {
 };
 
 struct MembraneCase {
-    std::string law = "neo-hookean";      ///< neo-hookean | hookean | skalak
-    Tension shear_modulus{6e-6};          ///< E_s
-    double area_dilation_ratio = 1.0;     ///< Skalak's C
+    std::string law = "neo-hookean";   ///< neo-hookean | hookean | skalak
+    Tension shear_modulus{6e-6};       ///< E_s
+    double area_dilation_ratio = 1.0;  ///< Skalak's C
     BendingModulus bending_modulus{1.8e-19};
-    std::string bending = "current";      ///< curvature per current | reference length
-    std::optional<Pressure> area_stiffness;   ///< k_p
+    std::string bending = "current";         ///< curvature per current | reference length
+    std::optional<Pressure> area_stiffness;  ///< k_p
     HardeningCase hardening;
 
     friend bool operator==(const MembraneCase&, const MembraneCase&) = default;
 };
 
 struct ContactCase {
-    std::string model = "morse";          ///< none | morse
-    std::string nearest = "segment";      ///< node | segment
+    std::string model = "morse";      ///< none | morse
+    std::string nearest = "segment";  ///< node | segment
     Length zero_force_distance{0.49e-6};
     InverseLength decay{3.84e6};
     SurfaceEnergy energy{1.3e-7};
-    std::optional<Length> range;          ///< query range R; auto: where the force has fallen to 1 % of its peak attraction
-    bool short_range_repulsion = false;   ///< off by default; counted when on
-    std::optional<Length> repulsion_range;    ///< auto: one site
+    std::optional<Length>
+        range;  ///< query range R; auto: where the force has fallen to 1 % of its peak attraction
+    bool short_range_repulsion = false;     ///< off by default; counted when on
+    std::optional<Length> repulsion_range;  ///< auto: one site
     Pressure repulsion_strength{1e3};
 
     friend bool operator==(const ContactCase&, const ContactCase&) = default;
@@ -104,35 +109,38 @@ struct ContactCase {
 struct NumericsCase {
     std::optional<Length> dx;
     std::optional<Time> dt;
-    std::optional<double> relaxation_time;    ///< τ of the plasma
-    std::optional<double> density_scale;      ///< S: the simulation runs at S times the density (Reynolds number × S)
-    std::optional<double> node_spacing;       ///< in sites
-    std::string collision = "trt";        ///< trt | bgk
-    double magic = 3.0 / 16.0;            ///< Λ of TRT
-    std::string equilibrium = "linear";   ///< linear (Stokes) | incompressible | full (Eq. 2)
-    std::string delta = "peskin4";        ///< cosine4 | hat2 | roma3 | peskin4
-    std::string interior = "scan-line";   ///< scan-line | flood-fill
-    std::string interface_viscosity = "area-fraction";   ///< sharp | smoothed | area-fraction
-    std::string viscosity_mean = "harmonic";   ///< harmonic | arithmetic, of a site that holds both fluids
-    bool jump_correction = true;          ///< second-order correction of slip and node velocity at membranes
-    double smoothing_width = 2.0;         ///< half width in sites
-    bool fluid_only = false;              ///< cells absent: plain channel
+    std::optional<double> relaxation_time;  ///< τ of the plasma
+    std::optional<double>
+        density_scale;  ///< S: the simulation runs at S times the density (Reynolds number × S)
+    std::optional<double> node_spacing;  ///< in sites
+    std::string collision = "trt";       ///< trt | bgk
+    double magic = 3.0 / 16.0;           ///< Λ of TRT
+    std::string equilibrium = "linear";  ///< linear (Stokes) | incompressible | full (Eq. 2)
+    std::string delta = "peskin4";       ///< cosine4 | hat2 | roma3 | peskin4
+    std::string interior = "scan-line";  ///< scan-line | flood-fill
+    std::string interface_viscosity = "area-fraction";  ///< sharp | smoothed | area-fraction
+    std::string viscosity_mean =
+        "harmonic";  ///< harmonic | arithmetic, of a site that holds both fluids
+    bool jump_correction =
+        true;  ///< second-order correction of slip and node velocity at membranes
+    double smoothing_width = 2.0;  ///< half width in sites
+    bool fluid_only = false;       ///< cells absent: plain channel
 
     friend bool operator==(const NumericsCase&, const NumericsCase&) = default;
 };
 
 struct TimeCase {
     Time end;
-    std::optional<Time> average_from;     ///< start of the averaging window; auto: half of the run
+    std::optional<Time> average_from;  ///< start of the averaging window; auto: half of the run
 
     friend bool operator==(const TimeCase&, const TimeCase&) = default;
 };
 
 struct OutputCase {
-    std::optional<Time> series;           ///< auto: end / 500
-    std::optional<Time> frames;           ///< auto: end / 50
-    Time checkpoint{300.0};               ///< wall clock
-    std::vector<Time> figure_times;       ///< empty: start, a quarter, half, end
+    std::optional<Time> series;      ///< auto: end / 500
+    std::optional<Time> frames;      ///< auto: end / 50
+    Time checkpoint{300.0};          ///< wall clock
+    std::vector<Time> figure_times;  ///< empty: start, a quarter, half, end
 
     friend bool operator==(const OutputCase&, const OutputCase&) = default;
 };

@@ -20,14 +20,15 @@ struct Choice {
     int nx = 0, ny = 0;
     Length dx;
     Time dt;
-    double relaxation_time = 1.0;       ///< τ of the plasma
-    double density_scale = 1.0;         ///< S
-    double node_spacing = 1.0;          ///< in sites
-    Rate shear_rate;                    ///< nominal k, or pseudo-shear rate
-    Velocity largest_speed;             ///< expected of the undisturbed flow
-    PressureGradient pressure_gradient; ///< of the plasma-only estimate 12 μ U / H²
-    Pressure area_stiffness;            ///< k_p
-    std::vector<StepLimit> limits;      ///< sorted, the tightest first; dt follows the first unless the case says otherwise
+    double relaxation_time = 1.0;        ///< τ of the plasma
+    double density_scale = 1.0;          ///< S
+    double node_spacing = 1.0;           ///< in sites
+    Rate shear_rate;                     ///< nominal k, or pseudo-shear rate
+    Velocity largest_speed;              ///< expected of the undisturbed flow
+    PressureGradient pressure_gradient;  ///< of the plasma-only estimate 12 μ U / H²
+    Pressure area_stiffness;             ///< k_p
+    std::vector<StepLimit> limits;  ///< sorted, the tightest first; dt follows the first unless the
+                                    ///< case says otherwise
 
     double cell_reynolds(const Case& c) const;  ///< S ρ k a² / μ: as run
 };
@@ -41,8 +42,9 @@ inline constexpr double auto_tension_step_number = 0.5;
 /// Length of the cells that a case describes: radius of the circle of the stress-free area.
 Length equivalent_radius(const Case& c);
 
-/// Decides grid, time step, relaxation time and density scale. Whatever the case states is kept; of Δt, τ and S the
-/// third follows from two by ν = μ/(S ρ) = (τ − ½)/3 · Δx²/Δt. Throws CaseError where the statements contradict.
+/// Decides grid, time step, relaxation time and density scale. Whatever the case states is kept; of
+/// Δt, τ and S the third follows from two by ν = μ/(S ρ) = (τ − ½)/3 · Δx²/Δt. Throws CaseError
+/// where the statements contradict.
 Choice choose(const Case& c);
 
 }  // namespace tt

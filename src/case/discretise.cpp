@@ -29,7 +29,8 @@ Hardening hardening_of(const HardeningCase& h) {
     hardening.area = applies("area");
     hardening.contact = applies("contact");
     if (h.apply_to.empty()) return hardening;
-    hardening.form = h.form == "exponential" ? Hardening::Form::exponential : Hardening::Form::power_exponential;
+    hardening.form =
+        h.form == "exponential" ? Hardening::Form::exponential : Hardening::Form::power_exponential;
     hardening.compression = h.compression == "one"          ? Hardening::Compression::one
                             : h.compression == "as-printed" ? Hardening::Compression::as_printed
                                                             : Hardening::Compression::symmetric;
@@ -60,8 +61,8 @@ Membrane membrane_of(const Case& c, const Choice& choice, const Scales& scales) 
     return membrane;
 }
 
-/// Distance beyond r₀ at which the attraction has fallen to 1 % of its peak: with z = e^{−β(r−r₀)} the force is
-/// ∝ z − z², largest ¼ at z = ½; 1 % of it at z = ½ (1 − √0.99).
+/// Distance beyond r₀ at which the attraction has fallen to 1 % of its peak: with z = e^{−β(r−r₀)}
+/// the force is ∝ z − z², largest ¼ at z = ½; 1 % of it at z = ½ (1 − √0.99).
 double query_range(const ContactCase& contact) {
     const double z = 0.5 * (1.0 - std::sqrt(0.99));
     return contact.zero_force_distance.si - std::log(z) / contact.decay.si;
@@ -73,7 +74,8 @@ ContactModel contact_of(const Case& c, const Scales& scales) {
     contact.nearest = k.nearest == "node" ? Nearest::node : Nearest::segment;
     if (k.model == "morse") {
         contact.law = Morse{scales.to_lattice(k.energy), scales.to_lattice(k.decay),
-                            scales.to_lattice(k.zero_force_distance), hardening_of(c.membrane.hardening).contact};
+                            scales.to_lattice(k.zero_force_distance),
+                            hardening_of(c.membrane.hardening).contact};
         contact.range = scales.to_lattice(k.range.value_or(Length{query_range(k)}));
     }
     if (k.short_range_repulsion) {
@@ -87,7 +89,8 @@ ViscosityModel viscosity_of(const Case& c, const Choice& choice, const Scales& s
     const NumericsCase& n = c.numerics;
     ViscosityModel viscosity;
     if (n.interior == "flood-fill") viscosity.interior = FloodFill{};
-    if (n.interface_viscosity == "smoothed") viscosity.interface = SmoothedInterface{n.smoothing_width};
+    if (n.interface_viscosity == "smoothed")
+        viscosity.interface = SmoothedInterface{n.smoothing_width};
     if (n.interface_viscosity == "area-fraction") viscosity.interface = AreaFraction{};
     viscosity.mean = HarmonicMean{};
     if (n.viscosity_mean == "arithmetic") viscosity.mean = ArithmeticMean{};
@@ -97,10 +100,12 @@ ViscosityModel viscosity_of(const Case& c, const Choice& choice, const Scales& s
         viscosity.collision = Trt{n.magic};
     }
     viscosity.plasma = (choice.relaxation_time - 0.5) / 3.0;
-    viscosity.cytoplasm = viscosity.plasma * (c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si);
+    viscosity.cytoplasm =
+        viscosity.plasma * (c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si);
     if (c.layer.thickness) {
         viscosity.layer_thickness = scales.to_lattice(*c.layer.thickness);
-        viscosity.layer_viscosity = viscosity.plasma * (c.layer.viscosity->si / c.plasma.viscosity.si);
+        viscosity.layer_viscosity =
+            viscosity.plasma * (c.layer.viscosity->si / c.plasma.viscosity.si);
     }
     return viscosity;
 }

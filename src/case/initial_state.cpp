@@ -21,7 +21,9 @@ namespace {
 /// The nodes of a shape file: x,y in µm, one node a line, '#' starts a comment.
 std::vector<Vec2> points_from(const std::string& path) {
     std::ifstream file(path);
-    if (!file) throw CaseError({{path, 0, 0, "cannot be opened; [cells] file must name a list of x,y in um"}});
+    if (!file)
+        throw CaseError(
+            {{path, 0, 0, "cannot be opened; [cells] file must name a list of x,y in um"}});
     std::vector<Vec2> points;
     std::vector<Fault> faults;
     std::string line;
@@ -50,7 +52,9 @@ std::vector<Vec2> points_from(const std::string& path) {
 std::vector<Vec2> stress_free_shape(const Case& c, double dx) {
     const double spacing = c.numerics.node_spacing.value_or(1.0) * dx;
     const double radius = c.cells.radius.si;
-    const auto nodes = [&](double perimeter) { return std::max(8, static_cast<int>(std::ceil(perimeter / spacing - 0.01))); };
+    const auto nodes = [&](double perimeter) {
+        return std::max(8, static_cast<int>(std::ceil(perimeter / spacing - 0.01)));
+    };
     const double aspect = c.cells.aspect_ratio.value_or(1.0);
     std::vector<Vec2> shape;
     if (c.cells.shape == "file") {
@@ -72,20 +76,26 @@ std::vector<Placement> placements(const Case& c, const Model& m, const std::vect
     const double length = m.lattice.nx, width = m.lattice.ny;
     const auto seed = static_cast<std::uint64_t>(c.cells.seed);
     int count = static_cast<int>(c.cells.count.value_or(1));
-    if (c.cells.hematocrit) count = static_cast<int>(std::lround(*c.cells.hematocrit * length * width / area_of(shape)));
-    if (c.cells.layout == "paper") return two_rows(count, length, width, m.scales.to_lattice(c.cells.perturbation), seed);
-    if (c.cells.layout == "random") return random_placements(shape, count, length, width, 1.0, seed);
+    if (c.cells.hematocrit)
+        count =
+            static_cast<int>(std::lround(*c.cells.hematocrit * length * width / area_of(shape)));
+    if (c.cells.layout == "paper")
+        return two_rows(count, length, width, m.scales.to_lattice(c.cells.perturbation), seed);
+    if (c.cells.layout == "random")
+        return random_placements(shape, count, length, width, 1.0, seed);
     if (c.cells.layout == "explicit") {
         std::vector<Placement> cells;
         for (const auto& p : c.cells.positions) {
-            cells.push_back({{m.scales.to_lattice(p[0]), m.scales.to_lattice(p[1])}, c.cells.angle.si});
+            cells.push_back(
+                {{m.scales.to_lattice(p[0]), m.scales.to_lattice(p[1])}, c.cells.angle.si});
         }
         return cells;
     }
     return {{{0.5 * length, 0.5 * width}, c.cells.angle.si}};
 }
 
-/// Deforms the placed outline to an ellipse-like shape of this axis ratio at constant area, long axis along x.
+/// Deforms the placed outline to an ellipse-like shape of this axis ratio at constant area, long
+/// axis along x.
 void stretch_about(Vec2 centre, double ratio, Suspension& cells, int cell) {
     const double along = std::sqrt(ratio);
     for (int n = cells.first[cell]; n < cells.first[cell + 1]; ++n) {
@@ -99,10 +109,12 @@ void refuse_bad_placements(const Model& m, const Suspension& cells) {
     for (int c = 0; m.lattice.walls && c < cells.cell_count(); ++c) {
         for (int n = cells.first[c]; n < cells.first[c + 1]; ++n) {
             if (cells.y[n] > 0.0 && cells.y[n] < m.lattice.ny) continue;
-            faults.push_back({"", 0, 0,
-                              fmt::format("[cells] cell {} reaches beyond a wall (y = {:.3g} um, width {:.3g} um); "
-                                          "make it smaller or move it",
-                                          c, cells.y[n] * m.scales.length * 1e6, m.lattice.ny * m.scales.length * 1e6)});
+            faults.push_back(
+                {"", 0, 0,
+                 fmt::format(
+                     "[cells] cell {} reaches beyond a wall (y = {:.3g} um, width {:.3g} um); "
+                     "make it smaller or move it",
+                     c, cells.y[n] * m.scales.length * 1e6, m.lattice.ny * m.scales.length * 1e6)});
             break;
         }
     }
@@ -111,7 +123,8 @@ void refuse_bad_placements(const Model& m, const Suspension& cells) {
         if (told[overlap.cell]) continue;
         told[overlap.cell] = true;
         faults.push_back({"", 0, 0,
-                          fmt::format("[cells] cells {} and {} overlap at the start; use fewer or smaller cells, or another "
+                          fmt::format("[cells] cells {} and {} overlap at the start; use fewer or "
+                                      "smaller cells, or another "
                                       "layout or seed",
                                       overlap.cell, overlap.other)});
     }
@@ -124,7 +137,8 @@ Suspension suspended_cells(const Case& c, const Model& m) {
     const std::vector<Vec2> shape = stress_free_shape(c, m.scales.length);
     for (const Placement& place : placements(c, m, shape)) {
         add_cell(cells, placed(shape, place.angle, place.centre));
-        if (c.cells.initial_stretch) stretch_about(place.centre, *c.cells.initial_stretch, cells, cells.cell_count() - 1);
+        if (c.cells.initial_stretch)
+            stretch_about(place.centre, *c.cells.initial_stretch, cells, cells.cell_count() - 1);
     }
     refuse_bad_placements(m, cells);
     return cells;
@@ -136,7 +150,8 @@ VectorField undisturbed_flow(const Model& m) {
     const double height = m.lattice.ny, mean = m.drive.target_velocity;
     for (int j = 0; j < m.lattice.ny; ++j) {
         const double y = j + 0.5;
-        const double couette = m.boundaries.bottom_speed + (m.boundaries.top_speed - m.boundaries.bottom_speed) * y / height;
+        const double couette = m.boundaries.bottom_speed +
+                               (m.boundaries.top_speed - m.boundaries.bottom_speed) * y / height;
         const double poiseuille = 6.0 * mean * (y / height) * (1.0 - y / height);
         for (int i = 0; i < m.lattice.nx; ++i) velocity.x(i, j) = couette + poiseuille;
     }
@@ -152,7 +167,8 @@ State initial_state(const Case& c, const Model& model) {
     state.drive.body_force = model.drive.body_force;
     // Nothing is nearer than the reach of the contact forces; without them gaps are not measured.
     state.contact.smallest_gap = model.contact.range > 0.0 ? model.contact.range : std::nan("");
-    const VectorField flow = c.flow.start == "rest" ? VectorField(model.lattice) : undisturbed_flow(model);
+    const VectorField flow =
+        c.flow.start == "rest" ? VectorField(model.lattice) : undisturbed_flow(model);
     set_equilibrium(model.equilibrium, flow, state.populations);
     derive(model, state);
     return state;

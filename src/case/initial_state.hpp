@@ -6,8 +6,9 @@
 
 namespace tt {
 
-/// Cells placed and the fluid at rest or in its undisturbed flow ([flow] start). Throws CaseError where the cells do not
-/// fit (random layout short of its hematocrit, overlaps, a node outside the walls).
+/// Cells placed and the fluid at rest or in its undisturbed flow ([flow] start). Throws CaseError
+/// where the cells do not fit (random layout short of its hematocrit, overlaps, a node outside the
+/// walls).
 State initial_state(const Case& c, const Model& model);
 
 }  // namespace tt

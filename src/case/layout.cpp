@@ -17,7 +17,8 @@ bool inside(const std::vector<Vec2>& polygon, Vec2 p) {
     bool odd = false;
     for (std::size_t k = 0, last = polygon.size() - 1; k < polygon.size(); last = k++) {
         const Vec2 a = polygon[k], b = polygon[last];
-        if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) odd = !odd;
+        if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x)
+            odd = !odd;
     }
     return odd;
 }
@@ -25,16 +26,22 @@ bool inside(const std::vector<Vec2>& polygon, Vec2 p) {
 /// Hard particles in a channel: outlines grown about their centres by a common factor.
 class Packing {
 public:
-    Packing(const std::vector<Vec2>& shape, int count, double length, double width, double gap, std::uint64_t seed)
-        : shape_(at_equal_arc_length(shape, std::min(32, static_cast<int>(shape.size())))), length_(length), width_(width), gap_(gap), random_(seed) {
+    Packing(const std::vector<Vec2>& shape, int count, double length, double width, double gap,
+            std::uint64_t seed)
+        : shape_(at_equal_arc_length(shape, std::min(32, static_cast<int>(shape.size())))),
+          length_(length),
+          width_(width),
+          gap_(gap),
+          random_(seed) {
         for (Vec2 p : shape_) reach_ = std::max(reach_, norm(p));
         cells_.resize(count);
         outlines_.resize(count);
         const double margin = scale_ * reach_ + gap_;
         for (int c = 0; c < count; ++c) {
             do {
-                cells_[c] = {{random_.uniform(0.0, length_), random_.uniform(margin, width_ - margin)},
-                             random_.uniform(0.0, 2.0 * std::numbers::pi)};
+                cells_[c] = {
+                    {random_.uniform(0.0, length_), random_.uniform(margin, width_ - margin)},
+                    random_.uniform(0.0, 2.0 * std::numbers::pi)};
                 outlines_[c] = outline_of(cells_[c]);
             } while (!fits(c, cells_[c], outlines_[c], c));
         }
@@ -107,12 +114,16 @@ private:
         return true;
     }
 
-    /// Whether a point of `outline`, moved by `shift` along x, lies in the cell `other` about `centre`.
-    bool any_inside(const std::vector<Vec2>& outline, const std::vector<Vec2>& other, Vec2 centre, double shift) const {
+    /// Whether a point of `outline`, moved by `shift` along x, lies in the cell `other` about
+    /// `centre`.
+    bool any_inside(const std::vector<Vec2>& outline, const std::vector<Vec2>& other, Vec2 centre,
+                    double shift) const {
         const double reach = scale_ * reach_ + 0.5 * gap_;
         for (Vec2 p : outline) {
             const Vec2 from_centre = Vec2{p.x - shift, p.y} - centre;
-            if (dot(from_centre, from_centre) < reach * reach && inside(other, centre + from_centre)) return true;
+            if (dot(from_centre, from_centre) < reach * reach &&
+                inside(other, centre + from_centre))
+                return true;
         }
         return false;
     }
@@ -129,12 +140,14 @@ private:
 
 }  // namespace
 
-std::vector<Placement> two_rows(int count, double length, double width, double perturbation, std::uint64_t seed) {
+std::vector<Placement> two_rows(int count, double length, double width, double perturbation,
+                                std::uint64_t seed) {
     Random random(seed);
     std::vector<Placement> cells;
     const int per_row = count / 2;
     for (int c = 0; c < count; ++c) {
-        const Vec2 symmetric{(c % per_row + 0.5) * length / per_row, c < per_row ? 0.25 * width : 0.75 * width};
+        const Vec2 symmetric{(c % per_row + 0.5) * length / per_row,
+                             c < per_row ? 0.25 * width : 0.75 * width};
         const double dx = random.uniform(-perturbation, perturbation);
         const double dy = random.uniform(-perturbation, perturbation);
         cells.push_back({symmetric + Vec2{dx, dy}, 0.0});
@@ -142,21 +155,24 @@ std::vector<Placement> two_rows(int count, double length, double width, double p
     return cells;
 }
 
-std::vector<Placement> random_placements(const std::vector<Vec2>& shape, int count, double length, double width,
-                                         double gap, std::uint64_t seed) {
+std::vector<Placement> random_placements(const std::vector<Vec2>& shape, int count, double length,
+                                         double width, double gap, std::uint64_t seed) {
     constexpr int patience = 4000;  // sweeps
     Packing packing(shape, count, length, width, gap, seed);
     double growth = 0.1;
     for (int sweep = 0; sweep < patience && packing.scale() < 1.0; ++sweep) {
         packing.sweep();
-        growth = packing.grow(1.0 + growth) ? std::min(0.1, 1.2 * growth) : std::max(1e-4, 0.8 * growth);
+        growth =
+            packing.grow(1.0 + growth) ? std::min(0.1, 1.2 * growth) : std::max(1e-4, 0.8 * growth);
     }
     if (packing.scale() < 1.0) {
         const double area = area_of(shape) * count / (length * width);
-        throw CaseError({{"", 0, 0,
-                          fmt::format("[cells] layout = \"random\": no room for {} cells; hematocrit {:.1f} % was reached of "
-                                      "{:.1f} %; lower the hematocrit or change the seed",
-                                      count, 100.0 * area * packing.scale() * packing.scale(), 100.0 * area)}});
+        throw CaseError(
+            {{"", 0, 0,
+              fmt::format("[cells] layout = \"random\": no room for {} cells; hematocrit {:.1f} % "
+                          "was reached of "
+                          "{:.1f} %; lower the hematocrit or change the seed",
+                          count, 100.0 * area * packing.scale() * packing.scale(), 100.0 * area)}});
     }
     return packing.cells();
 }

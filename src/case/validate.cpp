@@ -119,8 +119,9 @@ void judge_layout(Judge& judge, const CellsCase& cells) {
     if (cells.layout == "single" || cells.layout == "explicit")
         judge.forbid("cells.hematocrit", fmt::format("with layout = \"{}\"", cells.layout));
     if (cells.layout == "paper" && cells.count.value_or(2) % 2 != 0)
-        judge.tell({"cells.count"}, fmt::format("layout = \"paper\" is two equal rows; write count = {}",
-                                                *cells.count + 1));
+        judge.tell({"cells.count"},
+                   fmt::format("layout = \"paper\" is two equal rows; write count = {}",
+                               *cells.count + 1));
     if (cells.layout == "explicit" && cells.positions.empty())
         judge.tell({"cells.layout"},
                    "layout = \"explicit\" needs positions = [[\"20 um\", \"10 um\"], ...]");
@@ -314,10 +315,10 @@ void judge_times(Judge& judge, const Case& c) {
                                            Judge::key(path), to_text(*t), to_text(end)));
     };
     check(c.time.average_from, "time.average_from");
-    // Intervals longer than the run are no fault: a run shortened by --set keeps its first and last.
+    // Intervals longer than the run are no fault: a run shortened by --set keeps its first and
+    // last.
     check(c.numerics.dt, "numerics.dt");
-    for (const Time t : c.output.figure_times)
-        check(t, "output.figure_times");
+    for (const Time t : c.output.figure_times) check(t, "output.figure_times");
 }
 
 }  // namespace

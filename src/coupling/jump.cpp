@@ -9,8 +9,9 @@
 namespace tt {
 namespace {
 
-// Integrals across a straight membrane, of the smeared stress against the smeared fluidity. They hardly depend on the
-// kernel (by 1 % and 20 %) because they are ratios: ∫Hθδ − ¼ + c_φ ∫δ² and ¼ − ∫θδ(1 − H).
+// Integrals across a straight membrane, of the smeared stress against the smeared fluidity. They
+// hardly depend on the kernel (by 1 % and 20 %) because they are ratios: ∫Hθδ − ¼ + c_φ ∫δ² and ¼ −
+// ∫θδ(1 − H).
 constexpr double rate_share = 0.234;
 constexpr double dipole_share = 0.115;
 
@@ -20,8 +21,8 @@ struct Nodes {
 };
 
 Nodes nodes_of(Suspension& s) {
-    return {s.x.data(),  s.y.data(),  s.fx.data(),        s.fy.data(),       s.rate_xx.data(), s.rate_xy.data(),
-            s.ux.data(), s.uy.data(), s.dipole_xx.data(), s.dipole_xy.data()};
+    return {s.x.data(),       s.y.data(),  s.fx.data(), s.fy.data(),        s.rate_xx.data(),
+            s.rate_xy.data(), s.ux.data(), s.uy.data(), s.dipole_xx.data(), s.dipole_xy.data()};
 }
 
 /// Unit tangent and tangential load of a node between its neighbours.
@@ -49,7 +50,8 @@ TT_INLINE void set_dipole(const JumpCorrection& jump, const Nodes& m, int before
     m.dipole_xy[k] = dipole * (load.ty * load.ty - load.tx * load.tx);
 }
 
-TT_INLINE void correct_velocity(const JumpCorrection& jump, const Nodes& m, int before, int k, int next) {
+TT_INLINE void correct_velocity(const JumpCorrection& jump, const Nodes& m, int before, int k,
+                                int next) {
     const Load load = load_of(m, before, k, next);
     const double tx = load.tx, ty = load.ty;
     const double stress_jump = -load.tangential;
@@ -64,7 +66,8 @@ TT_INLINE void correct_velocity(const JumpCorrection& jump, const Nodes& m, int 
     m.uy[k] -= error * ty;
 }
 
-TT_CLONES void set_dipoles_between(const JumpCorrection& jump, const Nodes& nodes, int begin, int end) {
+TT_CLONES void set_dipoles_between(const JumpCorrection& jump, const Nodes& nodes, int begin,
+                                   int end) {
     const JumpCorrection j = jump;
     const Nodes m = nodes;
 #pragma omp simd

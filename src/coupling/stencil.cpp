@@ -23,8 +23,8 @@ struct Axis {
     double* slopes;
 };
 
-/// Nodes are weighed a block at a time, side by side, and then laid out node by node: scattered stores would cost more than
-/// the arithmetic.
+/// Nodes are weighed a block at a time, side by side, and then laid out node by node: scattered
+/// stores would cost more than the arithmetic.
 template <class Kernel>
 TT_INLINE void weigh(const Axis& axis, int begin, int end) {
     constexpr int size = 64;
@@ -56,10 +56,14 @@ TT_INLINE void weigh(const Axis& axis, int begin, int end) {
 using Weigh = void (*)(const Axis&, int, int);
 
 // A function that the loader picks by processor cannot be a template: one line per kernel.
-TT_CLONES void weigh_cosine4(const Axis& axis, int begin, int end) { weigh<Cosine4>(axis, begin, end); }
+TT_CLONES void weigh_cosine4(const Axis& axis, int begin, int end) {
+    weigh<Cosine4>(axis, begin, end);
+}
 TT_CLONES void weigh_hat2(const Axis& axis, int begin, int end) { weigh<Hat2>(axis, begin, end); }
 TT_CLONES void weigh_roma3(const Axis& axis, int begin, int end) { weigh<Roma3>(axis, begin, end); }
-TT_CLONES void weigh_peskin4(const Axis& axis, int begin, int end) { weigh<Peskin4>(axis, begin, end); }
+TT_CLONES void weigh_peskin4(const Axis& axis, int begin, int end) {
+    weigh<Peskin4>(axis, begin, end);
+}
 
 struct WeighOf {
     Weigh operator()(Cosine4) const { return weigh_cosine4; }
@@ -68,7 +72,8 @@ struct WeighOf {
     Weigh operator()(Peskin4) const { return weigh_peskin4; }
 };
 
-/// Linear extrapolation from the two rows nearest to a wall, for a node so near that fewer than two carry weight.
+/// Linear extrapolation from the two rows nearest to a wall, for a node so near that fewer than two
+/// carry weight.
 void extrapolate(double y, int start, int ny, double* w) {
     const int nearest = y < 0.5 * ny ? 0 : ny - 2;
     for (int k = 0; k < reach; ++k) w[k] = 0.0;
@@ -77,9 +82,10 @@ void extrapolate(double y, int start, int ny, double* w) {
     w[nearest - start + 1] = along;
 }
 
-/// Makes the y weights of a node one-sided where its block sticks out of 0 ≤ j < ny: drops those outside and
-/// multiplies the rest by a + b r (r = site − node) such that Σ w = 1 and Σ w r = 0. Force and torque are then
-/// conserved up to the wall, and a linear velocity is interpolated exactly.
+/// Makes the y weights of a node one-sided where its block sticks out of 0 ≤ j < ny: drops those
+/// outside and multiplies the rest by a + b r (r = site − node) such that Σ w = 1 and Σ w r = 0.
+/// Force and torque are then conserved up to the wall, and a linear velocity is interpolated
+/// exactly.
 void make_one_sided(double y, int start, int ny, double* w) {
     double m0 = 0.0, m1 = 0.0, m2 = 0.0;
     for (int k = 0; k < reach; ++k) {
@@ -97,7 +103,8 @@ void make_one_sided(double y, int start, int ny, double* w) {
     for (int k = 0; k < reach; ++k) w[k] *= (m2 - m1 * (start + k + 0.5 - y)) / determinant;
 }
 
-/// Slopes of one-sided weights: w r / Σ w r², exact for a linear field; 0 where only one row has weight.
+/// Slopes of one-sided weights: w r / Σ w r², exact for a linear field; 0 where only one row has
+/// weight.
 void slope_one_sided(double y, int start, const double* w, double* slopes) {
     double second_moment = 0.0;
     for (int k = 0; k < reach; ++k) {
@@ -128,7 +135,8 @@ Rows own_rows(VectorField& field) {
     return {begin, end, field.x.row(0), field.y.row(0), lattice.pitch()};
 }
 
-/// A node's force and dipole: on a site of weights w and slopes s the force is F wₓ wᵧ + D·(sₓ wᵧ, wₓ sᵧ).
+/// A node's force and dipole: on a site of weights w and slopes s the force is F wₓ wᵧ + D·(sₓ wᵧ,
+/// wₓ sᵧ).
 template <Order order>
 TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, const Rows& rows) {
     const int count = cells.node_count();
@@ -156,8 +164,8 @@ TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, c
     }
 }
 
-/// Marks the blocks of sites in this thread's rows that the nodes' 4 × 4 blocks cover, through the ends of the box if they
-/// must: then the last and the first block of a row are marked as well.
+/// Marks the blocks of sites in this thread's rows that the nodes' 4 × 4 blocks cover, through the
+/// ends of the box if they must: then the last and the first block of a row are marked as well.
 void mark_near_membranes(const Lattice& lattice, Stencils& stencils) {
     const auto [begin, end] = team_share(lattice.ny);
     if (begin == end) return;
@@ -185,8 +193,8 @@ void mark_near_membranes(const Lattice& lattice, Stencils& stencils) {
 }
 
 template <Order order>
-TT_INLINE void interpolate_nodes(const Stencils& stencils, const VectorField& velocity, Suspension& cells, int begin,
-                                 int end) {
+TT_INLINE void interpolate_nodes(const Stencils& stencils, const VectorField& velocity,
+                                 Suspension& cells, int begin, int end) {
     const double* const x = velocity.x.row(0);
     const double* const y = velocity.y.row(0);
     const std::ptrdiff_t pitch = velocity.x.lattice().pitch();
@@ -224,23 +232,29 @@ TT_CLONES void spread_forces(const Stencils& w, const Suspension& s, const Rows&
 TT_CLONES void spread_dipoles(const Stencils& w, const Suspension& s, const Rows& r) {
     spread_nodes<Order::first>(w, s, r);
 }
-TT_CLONES void interpolate_velocity(const Stencils& w, const VectorField& u, Suspension& s, int begin, int end) {
+TT_CLONES void interpolate_velocity(const Stencils& w, const VectorField& u, Suspension& s,
+                                    int begin, int end) {
     interpolate_nodes<Order::zeroth>(w, u, s, begin, end);
 }
-TT_CLONES void interpolate_rate(const Stencils& w, const VectorField& u, Suspension& s, int begin, int end) {
+TT_CLONES void interpolate_rate(const Stencils& w, const VectorField& u, Suspension& s, int begin,
+                                int end) {
     interpolate_nodes<Order::first>(w, u, s, begin, end);
 }
 
 }  // namespace
 
-void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells, Stencils& stencils) {
+void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
+            Stencils& stencils) {
     TT_EXPECTS(static_cast<int>(stencils.i.size()) == cells.node_count());
     const auto [begin, end] = team_share(cells.node_count());
     const Weigh weigh_axis = std::visit(WeighOf{}, delta);
     const double y_period = lattice.walls ? 0.0 : lattice.ny;
-    weigh_axis({cells.x.data(), static_cast<double>(lattice.nx), stencils.i.data(), stencils.wx.data(),
-                 stencils.sx.data()}, begin, end);
-    weigh_axis({cells.y.data(), y_period, stencils.j.data(), stencils.wy.data(), stencils.sy.data()}, begin, end);
+    weigh_axis({cells.x.data(), static_cast<double>(lattice.nx), stencils.i.data(),
+                stencils.wx.data(), stencils.sx.data()},
+               begin, end);
+    weigh_axis(
+        {cells.y.data(), y_period, stencils.j.data(), stencils.wy.data(), stencils.sy.data()},
+        begin, end);
     if (lattice.walls) {
         for (int n = begin; n < end; ++n) {
             const int j = stencils.j[n];
@@ -273,9 +287,11 @@ void unspread(const Stencils& stencils, VectorField& force) {
     team_barrier();
 }
 
-void interpolate(Order order, const Stencils& stencils, const VectorField& velocity, Suspension& cells) {
+void interpolate(Order order, const Stencils& stencils, const VectorField& velocity,
+                 Suspension& cells) {
     const auto [begin, end] = team_share(cells.node_count());
-    (order == Order::zeroth ? interpolate_velocity : interpolate_rate)(stencils, velocity, cells, begin, end);
+    (order == Order::zeroth ? interpolate_velocity : interpolate_rate)(stencils, velocity, cells,
+                                                                       begin, end);
     team_barrier();
 }
 

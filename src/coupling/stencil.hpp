@@ -10,9 +10,10 @@
 
 namespace tt {
 
-/// Where each node meets the lattice: the 4 × 4 block of sites from (i, j) and the weights along x and along y, whose
-/// products sum to 1. Computed once a step and shared by spread and interpolate, which are therefore adjoint to the bit.
-/// i is wrapped into the box, so that the block lies on sites or on the halo; so is j where y is periodic.
+/// Where each node meets the lattice: the 4 × 4 block of sites from (i, j) and the weights along x
+/// and along y, whose products sum to 1. Computed once a step and shared by spread and interpolate,
+/// which are therefore adjoint to the bit. i is wrapped into the box, so that the block lies on
+/// sites or on the halo; so is j where y is periodic.
 struct Stencils {
     static constexpr int reach = 4;
     std::vector<std::int32_t> i, j;  ///< per node: lower left site of the block
@@ -22,26 +23,36 @@ struct Stencils {
 
     Stencils() = default;
     Stencils(const Lattice& lattice, int node_count)
-        : i(node_count), j(node_count), wx(reach * node_count), wy(reach * node_count),
-          sx(reach * node_count), sy(reach * node_count), near_membranes(lattice) {}
+        : i(node_count),
+          j(node_count),
+          wx(reach * node_count),
+          wy(reach * node_count),
+          sx(reach * node_count),
+          sy(reach * node_count),
+          near_membranes(lattice) {}
 };
 
-/// Weights of every node. Near a wall, where the block sticks out of the fluid, the y weights are made one-sided so
-/// that force, torque and linear velocity profiles are still exact (docs/theory/coupling.md). Team function.
-void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells, Stencils& stencils);
+/// Weights of every node. Near a wall, where the block sticks out of the fluid, the y weights are
+/// made one-sided so that force, torque and linear velocity profiles are still exact
+/// (docs/theory/coupling.md). Team function.
+void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
+            Stencils& stencils);
 
-/// What a node hands to the sites and takes from them: force and velocity (Eqs. 9, 7), or also the first moment of each, which
-/// the jump correction (coupling/jump.hpp) needs where the viscosities differ.
+/// What a node hands to the sites and takes from them: force and velocity (Eqs. 9, 7), or also the
+/// first moment of each, which the jump correction (coupling/jump.hpp) needs where the viscosities
+/// differ.
 enum class Order : std::uint8_t { zeroth, first };
 
-/// Eqs. 8, 9: adds the node forces (and dipoles) to the force field, halo included (then Exchange::fold). Owner of rows: every
-/// thread adds, in node order, what falls on its own rows, so the bits do not depend on the number of threads. Team function.
+/// Eqs. 8, 9: adds the node forces (and dipoles) to the force field, halo included (then
+/// Exchange::fold). Owner of rows: every thread adds, in node order, what falls on its own rows, so
+/// the bits do not depend on the number of threads. Team function.
 void spread(Order order, const Stencils& stencils, const Suspension& cells, VectorField& force);
 
 /// Zeroes what the last `spread` with these stencils and the `fold` after it left. Team function.
 void unspread(const Stencils& stencils, VectorField& force);
 
 /// Eq. 7: node velocities (and shear rates) from the velocity field (halo filled). Team function.
-void interpolate(Order order, const Stencils& stencils, const VectorField& velocity, Suspension& cells);
+void interpolate(Order order, const Stencils& stencils, const VectorField& velocity,
+                 Suspension& cells);
 
 }  // namespace tt

@@ -47,10 +47,10 @@ Nine collided(AnEquilibrium kind, const Nine& f, Vec2 force, double even, double
     Nine g{};
     for (int i = 0; i < d2q9::count; ++i) {
         const int o = d2q9::opposite[i];
-        g[i] = f[i] - even * 0.5 * (off_equilibrium[i] + off_equilibrium[o])
-                    - odd * 0.5 * (off_equilibrium[i] - off_equilibrium[o])
-                    + (1.0 - 0.5 * even) * 0.5 * (push[i] + push[o])
-                    + (1.0 - 0.5 * odd) * 0.5 * (push[i] - push[o]);
+        g[i] = f[i] - even * 0.5 * (off_equilibrium[i] + off_equilibrium[o]) -
+               odd * 0.5 * (off_equilibrium[i] - off_equilibrium[o]) +
+               (1.0 - 0.5 * even) * 0.5 * (push[i] + push[o]) +
+               (1.0 - 0.5 * odd) * 0.5 * (push[i] - push[o]);
     }
     return g;
 }

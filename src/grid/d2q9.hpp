@@ -4,7 +4,8 @@
 
 namespace tt::d2q9 {
 
-/// The nine velocities: rest, the four axes, the four diagonals. Opposite pairs are (1,3) (2,4) (5,7) (6,8).
+/// The nine velocities: rest, the four axes, the four diagonals. Opposite pairs are (1,3) (2,4)
+/// (5,7) (6,8).
 inline constexpr int count = 9;
 inline constexpr std::array<int, count> cx{0, 1, 0, -1, 0, 1, -1, -1, 1};
 inline constexpr std::array<int, count> cy{0, 0, 1, 0, -1, 1, 1, -1, -1};

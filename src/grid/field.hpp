@@ -16,8 +16,10 @@ struct CacheAligned {
     CacheAligned() = default;
     template <class U>
     CacheAligned(const CacheAligned<U>&) {}
-    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
-    void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
+    T* allocate(std::size_t n) {
+        return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64}));
+    }
+    void deallocate(T* p, std::size_t) { ::operator delete (p, std::align_val_t{64}); }
     friend bool operator==(const CacheAligned&, const CacheAligned&) { return true; }
 };
 
@@ -25,7 +27,8 @@ struct CacheAligned {
 class Field {
 public:
     Field() = default;
-    explicit Field(const Lattice& lattice, double value = 0.0) : lattice_(lattice), values_(lattice.size(), value) {}
+    explicit Field(const Lattice& lattice, double value = 0.0)
+        : lattice_(lattice), values_(lattice.size(), value) {}
 
     const Lattice& lattice() const { return lattice_; }
     double& operator()(int i, int j) { return values_[lattice_.index(i, j)]; }

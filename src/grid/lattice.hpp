@@ -8,13 +8,13 @@ namespace tt {
 
 /// The sites of a straight channel or box and how fields lay them out in memory.
 ///
-/// Site (i, j), 0 ≤ i < nx, 0 ≤ j < ny, stands at (i + ½, j + ½) in lattice units, so that the box is
-/// [0, nx] × [0, ny] and half-way walls lie on y = 0 and y = ny. x is periodic; y is periodic or walled.
-/// Around the sites lies a halo of `halo` sites on every side; filling and folding it is how periodicity and
-/// walls work, so no loop ever needs a modulus.
+/// Site (i, j), 0 ≤ i < nx, 0 ≤ j < ny, stands at (i + ½, j + ½) in lattice units, so that the box
+/// is [0, nx] × [0, ny] and half-way walls lie on y = 0 and y = ny. x is periodic; y is periodic or
+/// walled. Around the sites lies a halo of `halo` sites on every side; filling and folding it is
+/// how periodicity and walls work, so no loop ever needs a modulus.
 struct Lattice {
-    static constexpr int halo = 2;     ///< reach of a delta kernel beyond the outermost site
-    static constexpr int margin = 8;   ///< left padding, so that every row starts on a cache line
+    static constexpr int halo = 2;    ///< reach of a delta kernel beyond the outermost site
+    static constexpr int margin = 8;  ///< left padding, so that every row starts on a cache line
 
     int nx = 0;
     int ny = 0;
@@ -24,7 +24,8 @@ struct Lattice {
     constexpr int rows() const { return ny + 2 * halo; }
     constexpr std::size_t size() const { return static_cast<std::size_t>(pitch()) * rows(); }
     constexpr std::size_t index(int i, int j) const {
-        return static_cast<std::size_t>((j + halo) * static_cast<std::ptrdiff_t>(pitch()) + margin + i);
+        return static_cast<std::size_t>((j + halo) * static_cast<std::ptrdiff_t>(pitch()) + margin +
+                                        i);
     }
     static constexpr Vec2 position(int i, int j) { return {i + 0.5, j + 0.5}; }
     friend constexpr bool operator==(const Lattice&, const Lattice&) = default;

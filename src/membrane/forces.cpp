@@ -7,8 +7,9 @@
 #include "base/isa.hpp"
 #include "base/parallel.hpp"
 
-// Each pass runs over the nodes of all cells of a thread in one straight loop that becomes vector code, and then once
-// more for the one segment or node of each cell whose neighbour lies at the other end of the cell's memory.
+// Each pass runs over the nodes of all cells of a thread in one straight loop that becomes vector
+// code, and then once more for the one segment or node of each cell whose neighbour lies at the
+// other end of the cell's memory.
 
 namespace tt {
 namespace {
@@ -23,9 +24,10 @@ struct Nodes {
 };
 
 Nodes nodes_of(Suspension& s) {
-    return {s.x.data(),       s.y.data(),       s.rest_length.data(), s.rest_curvature.data(), s.edge_x.data(),
-            s.edge_y.data(),  s.length.data(),  s.stretch.data(),     s.hardening.data(),      s.tension.data(),
-            s.moment.data(),  s.fx.data(),      s.fy.data()};
+    return {s.x.data(),         s.y.data(),       s.rest_length.data(), s.rest_curvature.data(),
+            s.edge_x.data(),    s.edge_y.data(),  s.length.data(),      s.stretch.data(),
+            s.hardening.data(), s.tension.data(), s.moment.data(),      s.fx.data(),
+            s.fy.data()};
 }
 
 /// Segment vector, length and stretch of the segment from node k to node `next`.
@@ -38,18 +40,21 @@ TT_INLINE void measure_segment(const Nodes& m, int k, int next) {
     m.stretch[k] = m.length[k] / m.rest_length[k];
 }
 
-/// m = E_b (κ − κ₀) α (Eq. 13) at node k, between segments `before` and k; turning angle by 2 tan(θ/2).
+/// m = E_b (κ − κ₀) α (Eq. 13) at node k, between segments `before` and k; turning angle by 2
+/// tan(θ/2).
 template <class Law>
 TT_INLINE void bend_node(const Law& law, bool hardened, const Nodes& m, int before, int k) {
     const double crossing = m.edge_x[before] * m.edge_y[k] - m.edge_y[before] * m.edge_x[k];
     const double along = m.edge_x[before] * m.edge_x[k] + m.edge_y[before] * m.edge_y[k];
     const double turning = 2.0 * crossing / (m.length[before] * m.length[k] + along);
     const double alpha = hardened ? 0.5 * (m.alpha[before] + m.alpha[k]) : 1.0;
-    m.moment[k] = alpha * law.moment(turning, 0.5 * (m.length[before] + m.length[k]),
-                                     0.5 * (m.rest_length[before] + m.rest_length[k]), m.rest_curvature[k]);
+    m.moment[k] =
+        alpha * law.moment(turning, 0.5 * (m.length[before] + m.length[k]),
+                           0.5 * (m.rest_length[before] + m.rest_length[k]), m.rest_curvature[k]);
 }
 
-/// Turns segment k's edge into its stress resultant T t + q n, with the transverse shear q = (m_next − m_k)/l.
+/// Turns segment k's edge into its stress resultant T t + q n, with the transverse shear q =
+/// (m_next − m_k)/l.
 TT_INLINE void load_segment(const Nodes& m, int k, int next) {
     const double inverse = 1.0 / m.length[k];
     const double tx = m.edge_x[k] * inverse;
@@ -59,8 +64,8 @@ TT_INLINE void load_segment(const Nodes& m, int k, int next) {
     m.edge_y[k] = m.tension[k] * ty - shear * tx;
 }
 
-/// Node force: d/ds (T t + q n) ds plus the area pressure p along the outward normal (Eqs. 13, 14); exact gradient of
-/// the polygon's energies.
+/// Node force: d/ds (T t + q n) ds plus the area pressure p along the outward normal (Eqs. 13, 14);
+/// exact gradient of the polygon's energies.
 TT_INLINE void load_node(const Nodes& m, double pressure, int before, int k, int next) {
     m.fx[k] = m.edge_x[k] - m.edge_x[before] + 0.5 * pressure * (m.y[next] - m.y[before]);
     m.fy[k] = m.edge_y[k] - m.edge_y[before] - 0.5 * pressure * (m.x[next] - m.x[before]);
@@ -72,15 +77,16 @@ TT_CLONES void measure_segments(const Nodes& m, int begin, int end) {
     for (int k = begin; k < end; ++k) measure_segment(p, k, k + 1);
 }
 
-TT_CLONES void harden_exponentially(const Nodes& m, double D, double beta, double fold, double floor, int begin,
-                                    int end) {
+TT_CLONES void harden_exponentially(const Nodes& m, double D, double beta, double fold,
+                                    double floor, int begin, int end) {
     const Nodes p = m;
 #pragma omp simd
     for (int k = begin; k < end; ++k) {
         const double extension = p.stretch[k] - 1.0;
         const double folded = fold * extension;
         const double compressed = folded > floor ? folded : floor;
-        p.alpha[k] = 1.0 + D * (vector_exp(beta * (extension < 0.0 ? compressed : extension)) - 1.0);
+        p.alpha[k] =
+            1.0 + D * (vector_exp(beta * (extension < 0.0 ? compressed : extension)) - 1.0);
     }
 }
 
@@ -88,7 +94,8 @@ template <class Law>
 TT_INLINE void pull(const Nodes& m, const Law& law, bool hardened, int begin, int end) {
     const Nodes p = m;
 #pragma omp simd
-    for (int k = begin; k < end; ++k) p.tension[k] = law.tension(p.stretch[k]) * (hardened ? p.alpha[k] : 1.0);
+    for (int k = begin; k < end; ++k)
+        p.tension[k] = law.tension(p.stretch[k]) * (hardened ? p.alpha[k] : 1.0);
 }
 
 template <class Law>
@@ -99,11 +106,21 @@ TT_INLINE void bend(const Nodes& m, const Law& law, bool hardened, int begin, in
 }
 
 // A function that the loader picks by processor cannot be a template: one line per law.
-TT_CLONES void pull_all(const Nodes& m, const NeoHookean& law, bool h, int b, int e) { pull(m, law, h, b, e); }
-TT_CLONES void pull_all(const Nodes& m, const Hookean& law, bool h, int b, int e) { pull(m, law, h, b, e); }
-TT_CLONES void pull_all(const Nodes& m, const Skalak& law, bool h, int b, int e) { pull(m, law, h, b, e); }
-TT_CLONES void bend_all(const Nodes& m, const CurrentCurvature& law, bool h, int b, int e) { bend(m, law, h, b, e); }
-TT_CLONES void bend_all(const Nodes& m, const ReferenceCurvature& law, bool h, int b, int e) { bend(m, law, h, b, e); }
+TT_CLONES void pull_all(const Nodes& m, const NeoHookean& law, bool h, int b, int e) {
+    pull(m, law, h, b, e);
+}
+TT_CLONES void pull_all(const Nodes& m, const Hookean& law, bool h, int b, int e) {
+    pull(m, law, h, b, e);
+}
+TT_CLONES void pull_all(const Nodes& m, const Skalak& law, bool h, int b, int e) {
+    pull(m, law, h, b, e);
+}
+TT_CLONES void bend_all(const Nodes& m, const CurrentCurvature& law, bool h, int b, int e) {
+    bend(m, law, h, b, e);
+}
+TT_CLONES void bend_all(const Nodes& m, const ReferenceCurvature& law, bool h, int b, int e) {
+    bend(m, law, h, b, e);
+}
 
 TT_CLONES void load_segments(const Nodes& m, int begin, int end) {
     const Nodes p = m;
@@ -129,18 +146,21 @@ void harden(const Hardening& hardening, const Nodes& m, int begin, int end) {
     }
 }
 
-/// Area (Eq. 15 as corrected, relative to the first node, so that it does not lose digits far downstream) and
-/// perimeter. Four partial sums in a fixed pattern: short chains, the same bits everywhere.
+/// Area (Eq. 15 as corrected, relative to the first node, so that it does not lose digits far
+/// downstream) and perimeter. Four partial sums in a fixed pattern: short chains, the same bits
+/// everywhere.
 void measure_cell(Suspension& cells, int cell) {
     const int first = cells.first[cell], count = cells.node_count(cell);
     const double* const x = &cells.x[first];
     const double* const y = &cells.y[first];
     double doubled_area[4] = {}, perimeter[4] = {};
     for (int k = 0; k < count; ++k) {
-        doubled_area[k % 4] += (x[k] - x[0]) * cells.edge_y[first + k] - (y[k] - y[0]) * cells.edge_x[first + k];
+        doubled_area[k % 4] +=
+            (x[k] - x[0]) * cells.edge_y[first + k] - (y[k] - y[0]) * cells.edge_x[first + k];
         perimeter[k % 4] += cells.length[first + k];
     }
-    cells.area[cell] = 0.5 * ((doubled_area[0] + doubled_area[1]) + (doubled_area[2] + doubled_area[3]));
+    cells.area[cell] =
+        0.5 * ((doubled_area[0] + doubled_area[1]) + (doubled_area[2] + doubled_area[3]));
     cells.perimeter[cell] = (perimeter[0] + perimeter[1]) + (perimeter[2] + perimeter[3]);
 }
 
@@ -159,24 +179,28 @@ void set_membrane_forces(const Membrane& membrane, Suspension& cells) {
     const Nodes m = nodes_of(cells);
     const Hardening& hardening = membrane.hardening;
     if (begin < end) {
-        // The straight loops run across the borders of cells; the closing segment or node is then set right.
+        // The straight loops run across the borders of cells; the closing segment or node is then
+        // set right.
         const auto close = [&, first = first_cell, last = last_cell](auto&& set) {
             for (int c = first; c < last; ++c) set(cells.first[c], cells.first[c + 1] - 1);
         };
         measure_segments(m, begin, end - 1);
         close([&](int head, int tail) { measure_segment(m, tail, head); });
         if (hardening.shear || hardening.bending) harden(hardening, m, begin, end);
-        std::visit([&](const auto& law) { pull_all(m, law, hardening.shear, begin, end); }, membrane.in_plane);
+        std::visit([&](const auto& law) { pull_all(m, law, hardening.shear, begin, end); },
+                   membrane.in_plane);
         std::visit(
             [&](const auto& law) {
                 bend_all(m, law, hardening.bending, begin + 1, end);
-                close([&](int head, int tail) { bend_node(law, hardening.bending, m, tail, head); });
+                close(
+                    [&](int head, int tail) { bend_node(law, hardening.bending, m, tail, head); });
             },
             membrane.bending);
         for (int c = first_cell; c < last_cell; ++c) measure_cell(cells, c);
         load_segments(m, begin, end - 1);
         close([&](int head, int tail) {
-            // The straight loop has used the next cell's first node: measure the closing segment again.
+            // The straight loop has used the next cell's first node: measure the closing segment
+            // again.
             measure_segment(m, tail, head);
             load_segment(m, tail, head);
         });

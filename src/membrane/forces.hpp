@@ -15,7 +15,8 @@ struct Membrane {
     double area_stiffness = 0.0;  ///< k_p
 };
 
-/// Sets fx, fy to the membrane forces of Eqs. 10–15, and area and alpha of each cell. Team function.
+/// Sets fx, fy to the membrane forces of Eqs. 10–15, and area and alpha of each cell. Team
+/// function.
 void set_membrane_forces(const Membrane& membrane, Suspension& cells);
 
 }  // namespace tt

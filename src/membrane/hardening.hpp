@@ -5,8 +5,9 @@
 
 namespace tt {
 
-/// The large-deformation coefficient α(λ) and the modalities it scales (Eq. 12, Table 1). As printed α(1) ≠ 1 unless
-/// β = 1; both repairs are offered. α'(1) = Dβ (exponential) or eDβ (power-exponential).
+/// The large-deformation coefficient α(λ) and the modalities it scales (Eq. 12, Table 1). As
+/// printed α(1) ≠ 1 unless β = 1; both repairs are offered. α'(1) = Dβ (exponential) or eDβ
+/// (power-exponential).
 struct Hardening {
     enum class Form : std::uint8_t { none, exponential, power_exponential };
     enum class Compression : std::uint8_t { symmetric, one, as_printed };
@@ -17,11 +18,13 @@ struct Hardening {
     double beta = 1.0;
     bool shear = false, bending = false, area = false, contact = false;  ///< what it scales
 
-    /// α(λ). For λ < 1: symmetric α(2 − λ), one, or the formula as printed (which falls below 1 and lets segments collapse).
+    /// α(λ). For λ < 1: symmetric α(2 − λ), one, or the formula as printed (which falls below 1 and
+    /// lets segments collapse).
     double operator()(double stretch) const {
         if (form == Form::none) return 1.0;
         if (stretch < 1.0 && compression == Compression::one) return 1.0;
-        const double s = stretch < 1.0 && compression == Compression::symmetric ? 2.0 - stretch : stretch;
+        const double s =
+            stretch < 1.0 && compression == Compression::symmetric ? 2.0 - stretch : stretch;
         if (form == Form::exponential) return 1.0 + D * std::expm1(beta * (s - 1.0));
         return 1.0 + D * (std::exp(std::pow(s, beta)) - std::exp(1.0));
     }

@@ -28,7 +28,9 @@ std::vector<Vec2> circle(double radius, int nodes) {
 }
 
 std::vector<Vec2> ellipse(double major, double minor, int nodes) {
-    return at_equal_arc_length(traced([&](double t) { return Vec2{major * std::cos(t), minor * std::sin(t)}; }),
+    return at_equal_arc_length(traced([&](double t) {
+                                   return Vec2{major * std::cos(t), minor * std::sin(t)};
+                               }),
                                nodes);
 }
 
@@ -49,8 +51,11 @@ std::vector<Vec2> at_equal_arc_length(const std::vector<Vec2>& curve, int nodes)
     for (std::size_t k = 0; k < curve.size(); ++k) {
         const Vec2 edge = curve[(k + 1) % curve.size()] - curve[k];
         const double length = norm(edge);
-        while (static_cast<int>(points.size()) < nodes && spacing * points.size() <= walked + length) {
-            points.push_back(curve[k] + (length > 0.0 ? (spacing * points.size() - walked) / length : 0.0) * edge);
+        while (static_cast<int>(points.size()) < nodes &&
+               spacing * points.size() <= walked + length) {
+            points.push_back(curve[k] +
+                             (length > 0.0 ? (spacing * points.size() - walked) / length : 0.0) *
+                                 edge);
         }
         walked += length;
     }
@@ -60,13 +65,15 @@ std::vector<Vec2> at_equal_arc_length(const std::vector<Vec2>& curve, int nodes)
 
 double perimeter_of(const std::vector<Vec2>& curve) {
     double sum = 0.0;
-    for (std::size_t k = 0; k < curve.size(); ++k) sum += norm(curve[(k + 1) % curve.size()] - curve[k]);
+    for (std::size_t k = 0; k < curve.size(); ++k)
+        sum += norm(curve[(k + 1) % curve.size()] - curve[k]);
     return sum;
 }
 
 double area_of(const std::vector<Vec2>& curve) {
     double doubled = 0.0;
-    for (std::size_t k = 0; k < curve.size(); ++k) doubled += cross(curve[k], curve[(k + 1) % curve.size()]);
+    for (std::size_t k = 0; k < curve.size(); ++k)
+        doubled += cross(curve[k], curve[(k + 1) % curve.size()]);
     return 0.5 * doubled;
 }
 

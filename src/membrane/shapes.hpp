@@ -6,7 +6,8 @@
 
 namespace tt {
 
-/// Stress-free outlines about the origin, counter-clockwise, nodes at equal arc length. Any unit of length.
+/// Stress-free outlines about the origin, counter-clockwise, nodes at equal arc length. Any unit of
+/// length.
 
 /// Circle of the radius given; nodes on the circle.
 std::vector<Vec2> circle(double radius, int nodes);
@@ -14,9 +15,9 @@ std::vector<Vec2> circle(double radius, int nodes);
 /// Ellipse of semi-axes `major` (along x) and `minor`.
 std::vector<Vec2> ellipse(double major, double minor, int nodes);
 
-/// Biconcave section of a resting red cell (Evans and Fung 1972; long axis along x), R₀ its half length:
-/// y = ± (R₀/2) √(1 − x²) (0.207161 + 2.002558 x² − 1.122762 x⁴), x in units of R₀. R₀ = 3.91 µm: area 13.63 µm²,
-/// perimeter 19.27 µm.
+/// Biconcave section of a resting red cell (Evans and Fung 1972; long axis along x), R₀ its half
+/// length: y = ± (R₀/2) √(1 − x²) (0.207161 + 2.002558 x² − 1.122762 x⁴), x in units of R₀. R₀
+/// = 3.91 µm: area 13.63 µm², perimeter 19.27 µm.
 std::vector<Vec2> biconcave(double half_length, int nodes);
 
 /// Nodes at equal arc length along the closed polygon `curve`, starting at its first point.

@@ -7,7 +7,8 @@
 namespace tt {
 namespace {
 
-/// Turning 2 tan(θ/2) between two consecutive segments; second order in θ and without bound as they fold.
+/// Turning 2 tan(θ/2) between two consecutive segments; second order in θ and without bound as they
+/// fold.
 double turning(Vec2 before, Vec2 after) {
     return 2.0 * cross(before, after) / (norm(before) * norm(after) + dot(before, after));
 }
@@ -15,11 +16,12 @@ double turning(Vec2 before, Vec2 after) {
 }  // namespace
 
 void size_derived(Suspension& cells) {
-    for (auto* zero : {&cells.edge_x, &cells.edge_y, &cells.tension, &cells.moment, &cells.dipole_xx,
-                       &cells.dipole_xy, &cells.rate_xx, &cells.rate_xy}) {
+    for (auto* zero : {&cells.edge_x, &cells.edge_y, &cells.tension, &cells.moment,
+                       &cells.dipole_xx, &cells.dipole_xy, &cells.rate_xx, &cells.rate_xy}) {
         zero->resize(cells.x.size(), 0.0);
     }
-    for (auto* one : {&cells.length, &cells.stretch, &cells.hardening}) one->resize(cells.x.size(), 1.0);
+    for (auto* one : {&cells.length, &cells.stretch, &cells.hardening})
+        one->resize(cells.x.size(), 1.0);
 }
 
 void add_cell(Suspension& cells, const std::vector<Vec2>& points) {
@@ -34,13 +36,15 @@ void add_cell(Suspension& cells, const std::vector<Vec2>& points) {
         cells.x.push_back(here.x);
         cells.y.push_back(here.y);
         cells.rest_length.push_back(norm(after));
-        cells.rest_curvature.push_back(turning(before, after) / (0.5 * (norm(before) + norm(after))));
+        cells.rest_curvature.push_back(turning(before, after) /
+                                       (0.5 * (norm(before) + norm(after))));
         doubled_area += cross(here - points[0], after);
         perimeter += norm(after);
     }
     TT_EXPECTS(doubled_area > 0.0);
     cells.first.push_back(cells.first.back() + static_cast<std::int32_t>(n));
-    for (auto* zero : {&cells.fx, &cells.fy, &cells.ux, &cells.uy}) zero->resize(cells.x.size(), 0.0);
+    for (auto* zero : {&cells.fx, &cells.fy, &cells.ux, &cells.uy})
+        zero->resize(cells.x.size(), 0.0);
     size_derived(cells);
     cells.reference_area.push_back(0.5 * doubled_area);
     cells.reference_perimeter.push_back(perimeter);

@@ -8,19 +8,20 @@
 
 namespace tt {
 
-/// All cells' membrane nodes, cell after cell, each outline counter-clockwise. Structure of arrays, lattice
-/// units, per unit depth. Positions are unwrapped: a cell that left through an end keeps counting x on.
-/// Segment k joins node k to its successor on the same cell.
+/// All cells' membrane nodes, cell after cell, each outline counter-clockwise. Structure of arrays,
+/// lattice units, per unit depth. Positions are unwrapped: a cell that left through an end keeps
+/// counting x on. Segment k joins node k to its successor on the same cell.
 struct Suspension {
     std::vector<std::int32_t> first{0};  ///< nodes of cell c are first[c] … first[c+1]
 
     // Per node.
-    std::vector<double> x, y;    ///< position
-    std::vector<double> fx, fy;  ///< force on the fluid
-    std::vector<double> ux, uy;  ///< velocity of the last step
+    std::vector<double> x, y;            ///< position
+    std::vector<double> fx, fy;          ///< force on the fluid
+    std::vector<double> ux, uy;          ///< velocity of the last step
     std::vector<double> rest_curvature;  ///< κ₀
-    std::vector<double> dipole_xx, dipole_xy;  ///< symmetric, traceless force dipole on the fluid (coupling/jump.hpp)
-    std::vector<double> rate_xx, rate_xy;      ///< ∂ₓuₓ − ∂ᵧuᵧ and ∂ᵧuₓ + ∂ₓuᵧ of the last step
+    std::vector<double> dipole_xx,
+        dipole_xy;  ///< symmetric, traceless force dipole on the fluid (coupling/jump.hpp)
+    std::vector<double> rate_xx, rate_xy;  ///< ∂ₓuₓ − ∂ᵧuᵧ and ∂ᵧuₓ + ∂ₓuᵧ of the last step
 
     // Per segment, indexed by its first node.
     std::vector<double> rest_length;  ///< l₀
@@ -28,14 +29,14 @@ struct Suspension {
     // Per cell.
     std::vector<double> reference_area;       ///< A_ref
     std::vector<double> reference_perimeter;  ///< L₀, the sum of rest lengths
-    std::vector<double> alpha;                ///< α(λ_C) of the last step: scales area pressure and repulsion
-    std::vector<double> area;                 ///< A of the last step
-    std::vector<double> perimeter;            ///< L_C of the last step
+    std::vector<double> alpha;  ///< α(λ_C) of the last step: scales area pressure and repulsion
+    std::vector<double> area;   ///< A of the last step
+    std::vector<double> perimeter;  ///< L_C of the last step
 
     // Derived in every step, per segment (of its first node) but for the moment, which is per node.
     std::vector<double> edge_x, edge_y;  ///< from the node to its successor
     std::vector<double> length, stretch;
-    std::vector<double> hardening;       ///< α(λ)
+    std::vector<double> hardening;  ///< α(λ)
     std::vector<double> tension;
     std::vector<double> moment;
 
@@ -60,8 +61,9 @@ inline Outline outline(const Suspension& cells, int cell) {
     return {{cells.x.data() + first, count}, {cells.y.data() + first, count}};
 }
 
-/// Adds a cell whose nodes `points` are its stress-free shape: rest lengths and reference area are those of the
-/// polygon, rest curvature that of its nodes. Precondition: at least 8 points, counter-clockwise, simple.
+/// Adds a cell whose nodes `points` are its stress-free shape: rest lengths and reference area are
+/// those of the polygon, rest curvature that of its nodes. Precondition: at least 8 points,
+/// counter-clockwise, simple.
 void add_cell(Suspension& cells, const std::vector<Vec2>& points);
 
 /// Gives the derived arrays their size: after the nodes were added or loaded.

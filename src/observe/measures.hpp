@@ -12,23 +12,23 @@ namespace tt {
 struct CellMeasures {
     Time time;
     std::int64_t cell = 0;
-    Length x, y;                 ///< centroid; x unwrapped
-    Velocity velocity;           ///< of the centroid, along x
+    Length x, y;        ///< centroid; x unwrapped
+    Velocity velocity;  ///< of the centroid, along x
     Area area;
     Length perimeter;
-    double lambda_C = 1.0;       ///< perimeter / rest perimeter
-    double strain = 0.0;         ///< ε = λ_C − 1 (Eq. 21)
-    double taylor_inertia = 0.0; ///< (L − B)/(L + B) of the inertia-equivalent ellipse
-    double taylor_extent = 0.0;  ///< the same of the largest and smallest radius
-    double inclination_deg = 0.0;///< of the long axis to the flow, −90 … 90
-    double phase = 0.0;          ///< tank-treading phase [rad], accumulated
-    Rate phase_rate;             ///< mean over nodes of (r × v)/r²; period = 2π / |its mean|
+    double lambda_C = 1.0;         ///< perimeter / rest perimeter
+    double strain = 0.0;           ///< ε = λ_C − 1 (Eq. 21)
+    double taylor_inertia = 0.0;   ///< (L − B)/(L + B) of the inertia-equivalent ellipse
+    double taylor_extent = 0.0;    ///< the same of the largest and smallest radius
+    double inclination_deg = 0.0;  ///< of the long axis to the flow, −90 … 90
+    double phase = 0.0;            ///< tank-treading phase [rad], accumulated
+    Rate phase_rate;               ///< mean over nodes of (r × v)/r²; period = 2π / |its mean|
     double stretch_min = 1.0, stretch_max = 1.0;  ///< of the segments
-    double area_error = 0.0;     ///< A / A_ref − 1
-    Length wall_distance;        ///< smallest node to wall
-    Pressure stress_traction;    ///< largest shear traction of the outer plasma on the membrane
-    Pressure stress_principal;   ///< largest principal shear rate × local viscosity at the membrane
-    double shear_number_star_traction = 0.0;   ///< G* = τ_max L_C / E_s (Eq. 24) with each
+    double area_error = 0.0;                      ///< A / A_ref − 1
+    Length wall_distance;                         ///< smallest node to wall
+    Pressure stress_traction;   ///< largest shear traction of the outer plasma on the membrane
+    Pressure stress_principal;  ///< largest principal shear rate × local viscosity at the membrane
+    double shear_number_star_traction = 0.0;  ///< G* = τ_max L_C / E_s (Eq. 24) with each
     double shear_number_star_principal = 0.0;
 };
 
@@ -37,29 +37,29 @@ struct RunMeasures {
     Time time;
     std::int64_t step = 0;
     Velocity mean_velocity;
-    Rate pseudo_shear_rate;          ///< mean velocity / width
-    KinematicViscosity flux;         ///< Q per unit depth, m²/s
+    Rate pseudo_shear_rate;              ///< mean velocity / width
+    KinematicViscosity flux;             ///< Q per unit depth, m²/s
     PressureGradient pressure_gradient;  ///< −dp/dx acting
-    Viscosity mu_app;                ///< Eq. 22; in shear: wall stress / shear rate
-    double mu_rel = 1.0;             ///< Eq. 23
-    Pressure wall_shear_stress;      ///< from the velocity gradient at both walls
-    Pressure balance_shear_stress;   ///< the same from the balance of momentum, equal once steady
+    Viscosity mu_app;                    ///< Eq. 22; in shear: wall stress / shear rate
+    double mu_rel = 1.0;                 ///< Eq. 23
+    Pressure wall_shear_stress;          ///< from the velocity gradient at both walls
+    Pressure balance_shear_stress;  ///< the same from the balance of momentum, equal once steady
     double hematocrit_tube = 0.0;
     double hematocrit_discharge = 0.0;
-    double lambda_C = 1.0, lambda_C_sd = 0.0;   ///< mean and standard deviation over cells
+    double lambda_C = 1.0, lambda_C_sd = 0.0;  ///< mean and standard deviation over cells
     double strain = 0.0;
     double taylor_inertia = 0.0, taylor_extent = 0.0, inclination_deg = 0.0;  ///< means over cells
     double area_error_max = 0.0;
     // Cell-free layer, each definition by its name, per side and mean of both
     // (docs/theory/analysis.md).
-    Length cfl_gap_bottom, cfl_gap_top, cfl_gap;                ///< smallest distance to the wall
-    Length cfl_envelope_bottom, cfl_envelope_top, cfl_envelope; ///< mean over x, first membrane
-    Length cfl_profile_bottom, cfl_profile_top, cfl_profile;    ///< to half of the maximum of H(y)
-    Length cfl_core_bottom, cfl_core_top, cfl_core;             ///< beside a core of uniform max H
-    double mach = 0.0;               ///< largest speed / sound speed
-    std::int64_t overlaps = 0;       ///< nodes inside another cell
+    Length cfl_gap_bottom, cfl_gap_top, cfl_gap;                 ///< smallest distance to the wall
+    Length cfl_envelope_bottom, cfl_envelope_top, cfl_envelope;  ///< mean over x, first membrane
+    Length cfl_profile_bottom, cfl_profile_top, cfl_profile;     ///< to half of the maximum of H(y)
+    Length cfl_core_bottom, cfl_core_top, cfl_core;              ///< beside a core of uniform max H
+    double mach = 0.0;                                           ///< largest speed / sound speed
+    std::int64_t overlaps = 0;                                   ///< nodes inside another cell
     std::int64_t repulsion_count = 0;
-    Length smallest_gap;             ///< between cells; the reach of contact where none is nearer
+    Length smallest_gap;  ///< between cells; the reach of contact where none is nearer
 };
 
 template <>

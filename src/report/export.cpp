@@ -71,9 +71,8 @@ void write_cells(const fs::path& path, const FramesHeader& header, const Frame& 
 std::string nodes_table(const FramesHeader& header, const Frame& frame) {
     fmt::memory_buffer text;
     auto out = std::back_inserter(text);
-    fmt::format_to(
-        out,
-        "cell,node,x [m],y [m],force_x [N/m],force_y [N/m],"
+    fmt::format_to(out,
+                   "cell,node,x [m],y [m],force_x [N/m],force_y [N/m],"
                    "velocity_x [m/s],velocity_y [m/s]\n");
     for (int c = 0; c < cell_count(header); ++c) {
         const auto begin = static_cast<std::size_t>(header.first[static_cast<std::size_t>(c)]);

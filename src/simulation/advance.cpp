@@ -29,19 +29,20 @@ void finish_step(const Model& m, State& s) {
 void advance(const Model& m, State& s, Exchange& x, FlowKept kept) {
     const bool everywhere = kept == FlowKept::everywhere || drive_looks_at(s.step);
     const Order order = m.jump.has_dipole() ? Order::first : Order::zeroth;
-    set_membrane_forces(m.membrane, s.cells);                                          // Eqs. 10–15
-    add_pair_forces(m.contact, m.lattice, s.cells, s.contact);                         // Eqs. 16–17
+    set_membrane_forces(m.membrane, s.cells);                   // Eqs. 10–15
+    add_pair_forces(m.contact, m.lattice, s.cells, s.contact);  // Eqs. 16–17
     set_dipoles(m.jump, s.cells);
     unspread(s.stencils, s.force);
-    locate(m.delta, m.lattice, s.cells, s.stencils);                                   // Eq. 8
-    spread(order, s.stencils, s.cells, s.force);                                       // Eq. 9
+    locate(m.delta, m.lattice, s.cells, s.stencils);  // Eq. 8
+    spread(order, s.stencils, s.cells, s.force);      // Eq. 9
     x.fold(s.force);
     update_viscosity(m.viscosity, s.cells, s.interior, s.relaxation);
-    collide_and_stream(m.equilibrium, m.boundaries, {s.drive.body_force, 0.0}, s.force, s.relaxation, s.populations,
-                       s.velocity, everywhere ? nullptr : &s.stencils.near_membranes); // Eqs. 1–4
+    collide_and_stream(m.equilibrium, m.boundaries, {s.drive.body_force, 0.0}, s.force,
+                       s.relaxation, s.populations, s.velocity,
+                       everywhere ? nullptr : &s.stencils.near_membranes);  // Eqs. 1–4
     settle(x, s.populations);
     x.fill(s.velocity);
-    interpolate(order, s.stencils, s.velocity, s.cells);                               // Eq. 7
+    interpolate(order, s.stencils, s.velocity, s.cells);  // Eq. 7
     correct_velocities(m.jump, s.cells);
     move_nodes(s.cells);
     finish_step(m, s);

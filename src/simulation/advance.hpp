@@ -11,8 +11,8 @@ namespace tt {
 /// Where a step leaves the fluid's velocity for others to look at. Nothing else depends on it.
 enum class FlowKept : std::uint8_t { everywhere, near_membranes };
 
-/// One time step, in the order of the paper: a team function. A function of Model and State alone; the same bits for any
-/// number of threads.
+/// One time step, in the order of the paper: a team function. A function of Model and State alone;
+/// the same bits for any number of threads.
 void advance(const Model& model, State& state, Exchange& exchange,
              FlowKept kept = FlowKept::everywhere);
 

@@ -14,16 +14,18 @@ namespace tt {
 
 /// How the flow is driven and held. Lattice units.
 struct Drive {
-    double body_force = 0.0;      ///< uniform, along x; the controller's first guess when it holds the mean velocity
+    double body_force =
+        0.0;  ///< uniform, along x; the controller's first guess when it holds the mean velocity
     bool hold_mean_velocity = false;
-    double target_velocity = 0.0; ///< mean velocity to hold, or the nominal one
+    double target_velocity = 0.0;  ///< mean velocity to hold, or the nominal one
 };
 
 /// Everything that does not change during a run. Lattice units; `scales` leads back to SI.
 struct Model {
     Lattice lattice;
     Scales scales;
-    double density_scale = 1.0;   ///< S: how much the simulated density, and with it the Reynolds number, is raised
+    double density_scale =
+        1.0;  ///< S: how much the simulated density, and with it the Reynolds number, is raised
     Equilibrium equilibrium;
     Boundaries boundaries;
     Drive drive;
@@ -32,7 +34,8 @@ struct Model {
     JumpCorrection jump;
     Membrane membrane;
     ContactModel contact;
-    double shear_rate = 0.0;      ///< nominal k: wall shear rate, or pseudo-shear rate of a channel [1/step]
+    double shear_rate =
+        0.0;  ///< nominal k: wall shear rate, or pseudo-shear rate of a channel [1/step]
     int threads = 1;
 };
 

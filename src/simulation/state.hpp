@@ -18,8 +18,8 @@ struct DriveState {
     double integral = 0.0;
 };
 
-/// All that changes. A checkpoint holds step, populations, cells, drive, the contact counters and where the cytoplasm was
-/// last laid (interior.x, y); the rest is derived.
+/// All that changes. A checkpoint holds step, populations, cells, drive, the contact counters and
+/// where the cytoplasm was last laid (interior.x, y); the rest is derived.
 struct State {
     std::int64_t step = 0;
     Populations populations;

@@ -30,7 +30,8 @@ Steady exact(const std::string& ratio_and_G) {
         Steady s{};
         double radius = 0.0;
         char comma;
-        rest >> s.taylor >> comma >> radius >> comma >> s.inclination >> comma >> s.strain >> comma >> s.period;
+        rest >> s.taylor >> comma >> radius >> comma >> s.inclination >> comma >> s.strain >>
+            comma >> s.period;
         return s;
     }
     ADD_FAILURE() << "no row " << ratio_and_G;

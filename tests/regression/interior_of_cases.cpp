@@ -24,7 +24,8 @@ Field interior(const InteriorMethod& method, const Model& m, const State& s) {
 class EveryCaseWithCells : public testing::TestWithParam<const char*> {};
 
 TEST_P(EveryCaseWithCells, scan_line_equals_flood_fill_as_it_runs) {
-    const Case c = read_case(std::string(TT_SOURCE_DIR "/cases/") + GetParam() + "/case.toml", {"numerics.dx=0.5 um"});
+    const Case c = read_case(std::string(TT_SOURCE_DIR "/cases/") + GetParam() + "/case.toml",
+                             {"numerics.dx=0.5 um"});
     const Model m = discretise(c);
     State s = initial_state(c, m);
     Periodic ends;

@@ -57,12 +57,14 @@ TEST_P(EveryKernel, force_on_sites_equals_force_on_nodes_up_to_the_wall) {
     EXPECT_NEAR(on_sites.x, on_nodes.x, 1e-12);
     EXPECT_NEAR(on_sites.y, on_nodes.y, 1e-12);
     // The paper's cosine misses the first moment by up to 0.021 sites in each direction.
-    const double tolerance = GetParam().first_moment_vanishes ? 1e-11 : 0.021 * 2.0 * cells.node_count();
+    const double tolerance =
+        GetParam().first_moment_vanishes ? 1e-11 : 0.021 * 2.0 * cells.node_count();
     EXPECT_NEAR(torque_on_sites, torque_on_nodes, tolerance);
 }
 
 TEST_P(EveryKernel, spread_and_interpolate_are_adjoint) {
-    // Σ_nodes F·U(u) = Σ_sites f(F)·u for every force and velocity: the power put in is the power taken out.
+    // Σ_nodes F·U(u) = Σ_sites f(F)·u for every force and velocity: the power put in is the power
+    // taken out.
     Suspension cells = strewn(2);
     Stencils stencils(channel, cells.node_count());
     VectorField force(channel), velocity(channel);
@@ -77,9 +79,11 @@ TEST_P(EveryKernel, spread_and_interpolate_are_adjoint) {
     spread(Order::zeroth, stencils, cells, force);
     interpolate(Order::first, stencils, velocity, cells);
     double power_of_nodes = 0.0, power_of_sites = 0.0;
-    for (int n = 0; n < cells.node_count(); ++n) power_of_nodes += dot(cells.force(n), cells.velocity(n));
+    for (int n = 0; n < cells.node_count(); ++n)
+        power_of_nodes += dot(cells.force(n), cells.velocity(n));
     for (int j = 0; j < channel.ny; ++j) {
-        for (int i = -2; i < channel.nx + 2; ++i) power_of_sites += dot(force(i, j), velocity(i, j));
+        for (int i = -2; i < channel.nx + 2; ++i)
+            power_of_sites += dot(force(i, j), velocity(i, j));
     }
     EXPECT_NEAR(power_of_nodes, power_of_sites, 1e-12);
 }
@@ -126,20 +130,24 @@ TEST_P(EveryKernel, gives_the_same_bits_for_any_number_of_threads) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Delta, EveryKernel,
-                         testing::Values(Kernel{Cosine4{}, false, "cosine4"}, Kernel{Hat2{}, true, "hat2"},
-                                         Kernel{Roma3{}, true, "roma3"}, Kernel{Peskin4{}, true, "peskin4"}),
+                         testing::Values(Kernel{Cosine4{}, false, "cosine4"},
+                                         Kernel{Hat2{}, true, "hat2"},
+                                         Kernel{Roma3{}, true, "roma3"},
+                                         Kernel{Peskin4{}, true, "peskin4"}),
                          [](const auto& kernel) { return kernel.param.name; });
 
 TEST(Cosine4, has_the_weights_of_its_formula) {
     for (double s = 0.0; s < 1.0; s += 0.01) {
         double w[4], slope[4];
         Cosine4::weights(s, w, slope);
-        for (int k = 0; k < 4; ++k) EXPECT_NEAR(w[k], 0.25 * (1.0 + std::cos(0.5 * M_PI * (k - 1 - s))), 1e-15);
+        for (int k = 0; k < 4; ++k)
+            EXPECT_NEAR(w[k], 0.25 * (1.0 + std::cos(0.5 * M_PI * (k - 1 - s))), 1e-15);
     }
 }
 
 TEST(FourPointKernels, do_not_see_the_staggered_mode) {
-    // Stripes (−1)^x of velocity are conserved by the lattice fluid: neither forces nor rates may couple to them.
+    // Stripes (−1)^x of velocity are conserved by the lattice fluid: neither forces nor rates may
+    // couple to them.
     for (double s = 0.0; s < 1.0; s += 0.013) {
         for (const Delta& delta : {Delta{Peskin4{}}, Delta{Cosine4{}}}) {
             double w[4], slope[4];
@@ -153,7 +161,8 @@ TEST(FourPointKernels, do_not_see_the_staggered_mode) {
 }
 
 TEST(Locate, marks_every_site_that_a_force_reaches) {
-    for (const Lattice& box : {Lattice{40, 14, true}, Lattice{40, 14, false}, Lattice{33, 14, false}}) {
+    for (const Lattice& box :
+         {Lattice{40, 14, true}, Lattice{40, 14, false}, Lattice{33, 14, false}}) {
         for (const double x : {-31.0, 0.5, 20.0, 37.5}) {
             Suspension cells;
             add_cell(cells, placed(circle(4.0, 40), 0.0, {x, box.walls ? 5.0 : 13.0}));
@@ -180,9 +189,11 @@ TEST(Locate, marks_every_site_that_a_force_reaches) {
 }
 
 TEST(Unspread, leaves_no_force_behind_across_periodic_ends) {
-    for (const Lattice& box : {Lattice{20, 14, true}, Lattice{20, 14, false}, Lattice{17, 14, false}}) {
+    for (const Lattice& box :
+         {Lattice{20, 14, true}, Lattice{20, 14, false}, Lattice{17, 14, false}}) {
         Suspension cells;
-        add_cell(cells, placed(circle(4.0, 40), 0.0, {box.walls ? 41.0 : -19.5, box.walls ? 6.0 : 13.0}));
+        add_cell(cells,
+                 placed(circle(4.0, 40), 0.0, {box.walls ? 41.0 : -19.5, box.walls ? 6.0 : 13.0}));
         for (int n = 0; n < cells.node_count(); ++n) cells.fx[n] = cells.fy[n] = 1.0;
         Stencils stencils(box, cells.node_count());
         VectorField force(box);

@@ -21,7 +21,8 @@ Suspension packed(const std::vector<Vec2>& shape, int count, double length, std:
 }
 
 TEST(RandomLayout, reaches_its_hematocrit_without_an_overlap) {
-    for (const auto& [shape, count] : {std::pair{circle(10.0, 63), 15}, std::pair{biconcave(12.0, 80), 31}}) {
+    for (const auto& [shape, count] :
+         {std::pair{circle(10.0, 63), 15}, std::pair{biconcave(12.0, 80), 31}}) {
         const double hematocrit = count * area_of(shape) / (100.0 * 100.0);
         EXPECT_GT(hematocrit, 0.39);
         const Suspension cells = packed(shape, count, 100.0, 3);
@@ -45,7 +46,8 @@ TEST(RandomLayout, says_how_far_it_came_where_there_is_no_room) {
         random_placements(circle(30.0, 63), 9, 200.0, 100.0, 1.0, 1);
         FAIL() << "nine discs of radius 30 cannot fit";
     } catch (const CaseError& error) {
-        EXPECT_NE(std::string(error.what()).find("no room for 9 cells; hematocrit"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("no room for 9 cells; hematocrit"),
+                  std::string::npos);
     }
 }
 

@@ -42,8 +42,14 @@ Membrane full_membrane(InPlane law, Bending bending) {
     membrane.in_plane = law;
     membrane.bending = bending;
     membrane.area_stiffness = 0.02;
-    membrane.hardening = {Hardening::Form::exponential, Hardening::Compression::symmetric, 0.55, 16.0,
-                          true, true, true, true};
+    membrane.hardening = {Hardening::Form::exponential,
+                          Hardening::Compression::symmetric,
+                          0.55,
+                          16.0,
+                          true,
+                          true,
+                          true,
+                          true};
     return membrane;
 }
 
@@ -55,14 +61,18 @@ double energy(const Membrane& membrane, const Suspension& cells) {
         const int first = cells.first[c], count = cells.node_count(c);
         for (int k = 0; k < count; ++k) points.push_back(cells.position(first + k));
         for (int k = 0; k < count; ++k) {
-            const Vec2 here = points[k], next = points[(k + 1) % count], before = points[(k + count - 1) % count];
+            const Vec2 here = points[k], next = points[(k + 1) % count],
+                       before = points[(k + count - 1) % count];
             const double stretch = norm(next - here) / cells.rest_length[first + k];
-            sum += cells.rest_length[first + k] *
-                   std::visit([&](const auto& law) { return law.energy(stretch); }, membrane.in_plane);
+            sum +=
+                cells.rest_length[first + k] *
+                std::visit([&](const auto& law) { return law.energy(stretch); }, membrane.in_plane);
             if (const auto* law = std::get_if<ReferenceCurvature>(&membrane.bending)) {
                 // ∫ m dθ with m = E_b (2 tan(θ/2)/s − κ₀): E_b (−4 ln cos(θ/2)/s − κ₀ θ).
-                const double arc = 0.5 * (cells.rest_length[first + k] + cells.rest_length[first + (k + count - 1) % count]);
-                const double theta = std::atan2(cross(here - before, next - here), dot(here - before, next - here));
+                const double arc = 0.5 * (cells.rest_length[first + k] +
+                                          cells.rest_length[first + (k + count - 1) % count]);
+                const double theta =
+                    std::atan2(cross(here - before, next - here), dot(here - before, next - here));
                 sum += law->modulus * (-4.0 * std::log(std::cos(0.5 * theta)) / arc -
                                        cells.rest_curvature[first + k] * theta);
             }
@@ -78,7 +88,8 @@ void expect_forces_are_minus_the_gradient(const Membrane& membrane) {
     disturb(cells, 1.0, 7);
     set_membrane_forces(membrane, cells);
     double largest = 0.0;
-    for (int n = 0; n < cells.node_count(); ++n) largest = std::fmax(largest, std::hypot(cells.fx[n], cells.fy[n]));
+    for (int n = 0; n < cells.node_count(); ++n)
+        largest = std::fmax(largest, std::hypot(cells.fx[n], cells.fy[n]));
     for (int n = 0; n < cells.node_count(); n += 5) {
         for (std::vector<double>* axis : {&cells.x, &cells.y}) {
             const double before = (*axis)[n], d = 1e-5;
@@ -109,7 +120,8 @@ TEST_P(EveryLaw, tension_is_the_derivative_of_the_energy_and_vanishes_at_rest) {
             EXPECT_NEAR(law.tension(1.0), 0.0, 1e-18);
             for (double stretch : {0.6, 0.9, 1.1, 1.7}) {
                 const double d = 1e-5;
-                const double slope = (law.energy(stretch + d) - law.energy(stretch - d)) / (2.0 * d);
+                const double slope =
+                    (law.energy(stretch + d) - law.energy(stretch - d)) / (2.0 * d);
                 EXPECT_NEAR(law.tension(stretch), slope, 1e-8 * law.shear_modulus);
             }
         },
@@ -117,7 +129,8 @@ TEST_P(EveryLaw, tension_is_the_derivative_of_the_energy_and_vanishes_at_rest) {
 }
 
 TEST_P(EveryLaw, membrane_forces_and_torques_sum_to_zero) {
-    for (const Bending bending : {Bending{CurrentCurvature{0.3}}, Bending{ReferenceCurvature{0.3}}}) {
+    for (const Bending bending :
+         {Bending{CurrentCurvature{0.3}}, Bending{ReferenceCurvature{0.3}}}) {
         Suspension cells = three_cells();
         disturb(cells, 2.0, 3);
         set_membrane_forces(full_membrane(GetParam(), bending), cells);
@@ -137,7 +150,8 @@ TEST_P(EveryLaw, membrane_forces_and_torques_sum_to_zero) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InPlane, EveryLaw,
-                         testing::Values(InPlane{NeoHookean{0.01}}, InPlane{Hookean{0.01}}, InPlane{Skalak{0.01, 1.0}}));
+                         testing::Values(InPlane{NeoHookean{0.01}}, InPlane{Hookean{0.01}},
+                                         InPlane{Skalak{0.01, 1.0}}));
 
 TEST(MembraneForces, vanish_on_the_stress_free_shape) {
     Suspension cells = three_cells();
@@ -146,7 +160,8 @@ TEST(MembraneForces, vanish_on_the_stress_free_shape) {
 }
 
 TEST(MembraneForces, bending_does_the_virtual_work_of_its_moment) {
-    // With the moments frozen, F·δX = −Σ m δθ for every displacement: Eq. 13 has no energy, but this much it has.
+    // With the moments frozen, F·δX = −Σ m δθ for every displacement: Eq. 13 has no energy, but
+    // this much it has.
     Suspension cells = three_cells();
     disturb(cells, 1.5, 11);
     Membrane membrane;
@@ -179,7 +194,8 @@ TEST(MembraneForces, bending_does_the_virtual_work_of_its_moment) {
 }
 
 TEST(MembraneForces, inflated_circle_is_held_by_the_line_tension_and_bending_of_theory) {
-    // Circle of radius a stretched to λa: T/(λa) inward from tension; uniform moment has no shear; pressure outward.
+    // Circle of radius a stretched to λa: T/(λa) inward from tension; uniform moment has no shear;
+    // pressure outward.
     const double a = 20.0, stretch = 1.2;
     Suspension cells;
     add_cell(cells, circle(a, 400));
@@ -238,14 +254,16 @@ TEST(Hardening, in_the_force_loop_is_the_hardening_law) {
         bool compressed = false;
         for (int k = 0; k < cells.node_count(); ++k) {
             compressed = compressed || cells.stretch[k] < 0.97;
-            EXPECT_NEAR(cells.hardening[k], membrane.hardening(cells.stretch[k]), 1e-13 * cells.hardening[k] + 1e-13);
+            EXPECT_NEAR(cells.hardening[k], membrane.hardening(cells.stretch[k]),
+                        1e-13 * cells.hardening[k] + 1e-13);
         }
         EXPECT_TRUE(compressed);
     }
 }
 
 TEST(VectorExp, agrees_with_the_library_to_a_few_ulp) {
-    for (double x = -40.0; x < 40.0; x += 0.0137) EXPECT_NEAR(vector_exp(x) / std::exp(x), 1.0, 1e-15);
+    for (double x = -40.0; x < 40.0; x += 0.0137)
+        EXPECT_NEAR(vector_exp(x) / std::exp(x), 1.0, 1e-15);
     EXPECT_NEAR(vector_exp(700.0) / std::exp(700.0), 1.0, 1e-13);
     EXPECT_GT(vector_exp(-800.0), 0.0);
 }
@@ -259,7 +277,8 @@ TEST(Shapes, biconcave_has_the_published_area_and_perimeter) {
 TEST(Shapes, nodes_stand_at_equal_arc_length) {
     const std::vector<Vec2> cell = ellipse(5.0, 2.0, 200);
     const double mean = perimeter_of(cell) / 200;
-    for (int k = 0; k < 200; ++k) EXPECT_NEAR(norm(cell[(k + 1) % 200] - cell[k]), mean, 2e-3 * mean);
+    for (int k = 0; k < 200; ++k)
+        EXPECT_NEAR(norm(cell[(k + 1) % 200] - cell[k]), mean, 2e-3 * mean);
 }
 
 }  // namespace

@@ -97,8 +97,10 @@ TEST(Report, directory_that_a_run_wrote_is_understood) {
     const std::array<fs::path, 1> runs{scratch / "run"};
     const std::string page = text_of(write_report(runs));
     EXPECT_NE(page.find("cfl_profile"), std::string::npos);
-    for (const char* figure : {"flow", "lambda_C", "mu_rel", "velocity_profile", "hematocrit_profile"})
-        EXPECT_TRUE(fs::exists(scratch / "run" / "figures" / (std::string(figure) + ".svg"))) << figure;
+    for (const char* figure :
+         {"flow", "lambda_C", "mu_rel", "velocity_profile", "hematocrit_profile"})
+        EXPECT_TRUE(fs::exists(scratch / "run" / "figures" / (std::string(figure) + ".svg")))
+            << figure;
     export_vtk(scratch / "run", scratch / "vtk");
     EXPECT_TRUE(fs::exists(scratch / "vtk" / "cells" / "cells_000008.vtp"));
 }

@@ -8,7 +8,8 @@
 
 namespace tt {
 
-/// Peskin's 4-point kernel (Acta Numerica 2002, Eq. 6.27): sums to 1, first moment 0, even and odd sites weigh alike.
+/// Peskin's 4-point kernel (Acta Numerica 2002, Eq. 6.27): sums to 1, first moment 0, even and odd
+/// sites weigh alike.
 struct Peskin4 {
     static constexpr std::string_view name = "peskin4";
     static constexpr KernelSpread spread{0.4124, 0.3152};

@@ -23,8 +23,8 @@ struct Trt {
     /// Both rates for lattice kinematic viscosity ν = (τ⁺ − ½)/3, with one division for the two.
     TT_INLINE Rates rates(double viscosity) const {
         const double half_step = 3.0 * viscosity;
-        const double even = half_step + 0.5;          // τ⁺
-        const double odd = 0.5 * half_step + magic;   // τ⁻ · half_step
+        const double even = half_step + 0.5;         // τ⁺
+        const double odd = 0.5 * half_step + magic;  // τ⁻ · half_step
         const double inverse = 1.0 / (even * odd);
         return {odd * inverse, half_step * even * inverse};
     }

@@ -6,13 +6,16 @@
 
 namespace tt {
 
-/// A linear spring of the same small-strain modulus as Eq. 10: T(λ) = 3 E_s (λ − 1), W = 3/2 E_s (λ − 1)².
+/// A linear spring of the same small-strain modulus as Eq. 10: T(λ) = 3 E_s (λ − 1), W = 3/2 E_s (λ
+/// − 1)².
 struct Hookean {
     static constexpr std::string_view name = "hookean";
     double shear_modulus = 0.0;  ///< E_s
 
     TT_INLINE double tension(double stretch) const { return 3.0 * shear_modulus * (stretch - 1.0); }
-    double energy(double stretch) const { return 1.5 * shear_modulus * (stretch - 1.0) * (stretch - 1.0); }
+    double energy(double stretch) const {
+        return 1.5 * shear_modulus * (stretch - 1.0) * (stretch - 1.0);
+    }
 };
 
 }  // namespace tt

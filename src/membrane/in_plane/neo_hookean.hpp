@@ -7,8 +7,9 @@
 
 namespace tt {
 
-/// The 3D neo-Hookean membrane in uniaxial tension (Eq. 10 of the paper): T(λ) = E_s (λ³ − 1)/λ^{3/2}.
-/// Small strains: T = 3 E_s (λ − 1). Energy per rest length W = E_s (2/5 λ^{5/2} + 2 λ^{−1/2} − 12/5).
+/// The 3D neo-Hookean membrane in uniaxial tension (Eq. 10 of the paper): T(λ) = E_s (λ³ −
+/// 1)/λ^{3/2}. Small strains: T = 3 E_s (λ − 1). Energy per rest length W = E_s (2/5 λ^{5/2} + 2
+/// λ^{−1/2} − 12/5).
 struct NeoHookean {
     static constexpr std::string_view name = "neo-hookean";
     double shear_modulus = 0.0;  ///< E_s
