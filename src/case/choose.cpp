@@ -122,12 +122,11 @@ void choose_step(const Case& c, Choice& choice) {
     choice.density_scale = choice.dt.si / (half_step * unit);
 }
 
-/// k_p: four fifths of what the lattice fluid's compressibility allows (area_step_limit), at most
-/// 20 kPa.
+/// k_p: well within what the lattice fluid's compressibility allows, at most 10 kPa.
 Pressure choose_area_stiffness(const Case& c, const Choice& choice) {
     if (c.membrane.area_stiffness) return *c.membrane.area_stiffness;
     const double fluid = c.plasma.viscosity.si / ((choice.relaxation_time - 0.5) * choice.dt.si);
-    return Pressure{std::min(2e4, 0.8 * area_step_limit * fluid)};
+    return Pressure{std::min(1e4, auto_area_step_number * fluid)};
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ inline constexpr double auto_relaxation_time = 1.5;
 inline constexpr double auto_cell_reynolds = 0.3;
 inline constexpr double auto_mach = 0.1;
 inline constexpr double auto_tension_step_number = 0.5;
+inline constexpr double auto_area_step_number = 5.0;
 
 /// Length of the cells that a case describes: radius of the circle of the stress-free area.
 Length equivalent_radius(const Case& c);

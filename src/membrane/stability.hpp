@@ -24,6 +24,6 @@ inline constexpr double bending_step_limit = 2.0;
 /// Area pressure: k_p against K_b = μ/((τ − ½) Δt), what the compressibility of the lattice fluid
 /// can answer in a step. In lattice units K_b = ν/(3ν) = 1/3 whatever τ.
 constexpr double area_step_number(double area_stiffness) { return 3.0 * area_stiffness; }
-inline constexpr double area_step_limit = 10.0;
+inline constexpr double area_step_limit = 7.0;
 
 }  // namespace tt
