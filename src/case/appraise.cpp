@@ -17,12 +17,14 @@ namespace {
 constexpr double mach_limit =
     0.3;  // beyond, the error of compressibility, of order Ma², passes a tenth
 
-/// T'(1) of the in-plane law, by a central difference.
+/// T'(1) of the in-plane law, by a central difference; T(1) if that is larger, as in a drop.
 double tension_slope(const Membrane& membrane) {
     constexpr double step = 1e-5;
     return std::visit(
         [](const auto& law) {
-            return (law.tension(1.0 + step) - law.tension(1.0 - step)) / (2.0 * step);
+            const double slope =
+                (law.tension(1.0 + step) - law.tension(1.0 - step)) / (2.0 * step);
+            return std::max(slope, law.tension(1.0));
         },
         membrane.in_plane);
 }

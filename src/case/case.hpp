@@ -80,7 +80,7 @@ struct HardeningCase {
 };
 
 struct MembraneCase {
-    std::string law = "neo-hookean";   ///< neo-hookean | hookean | skalak
+    std::string law = "neo-hookean";   ///< neo-hookean | hookean | skalak | surface-tension
     Tension shear_modulus{6e-6};       ///< E_s
     double area_dilation_ratio = 1.0;  ///< Skalak's C
     BendingModulus bending_modulus{1.8e-19};

@@ -48,6 +48,8 @@ Membrane membrane_of(const Case& c, const Choice& choice, const Scales& scales) 
         membrane.in_plane = Hookean{modulus};
     } else if (m.law == Skalak::name) {
         membrane.in_plane = Skalak{modulus, m.area_dilation_ratio};
+    } else if (m.law == SurfaceTension::name) {
+        membrane.in_plane = SurfaceTension{modulus};
     } else {
         membrane.in_plane = NeoHookean{modulus};
     }
