@@ -114,8 +114,7 @@ double relaxation_time_ratio(const DropScene& scene, int mode) {
 }
 
 DropInShear drop_in_shear(const DropScene& scene, double capillary_number, double until_strain) {
-    constexpr double reynolds =
-        0.3;  // of the approach only: the steady state is one of Stokes flow
+    constexpr double reynolds = 0.15;  // of the approach only: the steady state is a Stokes flow
     const double rate = reynolds * scene.viscosity / (scene.radius * scene.radius);
     const double tension = scene.viscosity * rate * scene.radius / capillary_number;
     Model m = drop_model(scene, tension);

@@ -1,11 +1,10 @@
 #include "verify/experiment.hpp"
 
-#include "base/parallel.hpp"
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
 #include "fluid/moments.hpp"
-#include "simulation/advance.hpp"
 #include "simulation/derive.hpp"
+#include "simulation/run.hpp"
 
 namespace tt {
 
@@ -24,15 +23,14 @@ Experiment::Experiment(const Model& m, const Suspension& cells)
     : Experiment(m, cells, VectorField(m.lattice)) {}
 
 void Experiment::advance_by(std::int64_t steps) {
-    const std::int64_t end = state.step + steps;
-    with_team(model.threads, [&] {
-        for (std::int64_t step = end - steps; step < end; ++step) advance(model, state, ends);
-    });
+    if (steps <= 0) return;
+    Health health(HealthLimits{}, state);
+    run_steps(model, state, ends, health, state.step + steps, Clock::time_point::max());
 }
 
 void Experiment::advance_to_strain(double strain) {
     const auto end = static_cast<std::int64_t>(strain / model.shear_rate + 0.5);
-    if (end > state.step) advance_by(end - state.step);
+    advance_by(end - state.step);
 }
 
 VectorField simple_shear(const Lattice& lattice, double rate) {

@@ -11,7 +11,7 @@
 
 namespace tt {
 
-/// A model and its state, advanced together without files, observers or guards: what the selftest
+/// A model and its state, advanced as `run` does but without files and observers: what the selftest
 /// and the tests of physics look at. Lattice units.
 struct Experiment {
     Model model;
@@ -24,7 +24,7 @@ struct Experiment {
     Experiment(const Model& m, const Suspension& cells, const VectorField& velocity);
     Experiment(const Model& m, const Suspension& cells);  ///< the fluid at rest
 
-    /// On `model.threads` threads.
+    /// On `model.threads` threads. Throws SimulationError if it blows up.
     void advance_by(std::int64_t steps);
     /// Until k t, k the model's shear rate.
     void advance_to_strain(double strain);
