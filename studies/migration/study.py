@@ -3,7 +3,8 @@
 
     studies/migration/study.py [--program build/release/tanktread] [--out results/migration] [-j 1]
 
-Runs what is not there yet, then writes measured.csv beside this file.
+Runs what is not there yet, then writes measured.csv and heights.csv beside this file; gnuplot draws
+heights.png of the latter, if it is there: gnuplot figure.gp.
 """
 import argparse
 import csv
@@ -47,6 +48,7 @@ def main():
     options.add_argument("-j", "--threads", default=1)
     given = options.parse_args()
     rows = []
+    heights = {"time_ms": np.arange(0.0, 100.1, 2.0)}
     for plan in PLAN:
         cell = run(given.program, given.out, given.threads, *plan)
         time, height = cell["time"], 1e6 * cell["y"]
@@ -59,11 +61,15 @@ def main():
                      "speed_last_tenth_um_per_ms": round(float((height[-1] - np.interp(0.9 * time[-1], time, height))
                                                                / (0.1 * time[-1] * 1e3)), 5),
                      "taylor_inertia_end": round(float(cell["taylor_inertia"][-1]), 4)})
+        if plan[2:6] == (1, 200, 9, 0.5):
+            heights[f"{plan[0]} S = {plan[1]}"] = np.interp(1e-3 * heights["time_ms"], time, height)
         print(*rows[-1].values(), flush=True)
         with open(here / "measured.csv", "w", newline="") as file:
             table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
             table.writeheader()
             table.writerows(rows)
+    np.savetxt(here / "heights.csv", np.column_stack(list(heights.values())), fmt="%.4g", delimiter=",",
+               header=",".join(heights), comments="")
 
 
 if __name__ == "__main__":
