@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Fahraeus and Fahraeus-Lindqvist: biconcave cells in channels of several widths.
+"""Fahraeus and Fahraeus-Lindqvist: cells in channels of several widths.
 
     studies/fahraeus/study.py [--program build/release/tanktread] [--out results/fahraeus] [-j 1]
 
@@ -18,7 +18,7 @@ here = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(here.parents[1] / "python"))
 from tanktread import Results  # noqa: E402
 
-WIDTHS = (10, 14, 20, 28, 40)  # um
+WIDTHS = (10, 12, 16, 20, 28, 40)  # um
 SEEDS = (1, 2)
 
 
