@@ -197,7 +197,12 @@ struct FieldList<MembraneCase> {
     static constexpr auto entries = std::tuple{
         FieldEntry{"law", &T::law, "tension as a function of stretch (Eqs. 10, 11)", any_value,
                    "neo-hookean|hookean|skalak|surface-tension"},
-        FieldEntry{"shear_modulus", &T::shear_modulus, "E_s; gamma of the law surface-tension", positive, {}, "6e-3 dyn/cm"},
+        FieldEntry{"shear_modulus",
+                   &T::shear_modulus,
+                   "E_s; gamma of the law surface-tension",
+                   positive,
+                   {},
+                   "6e-3 dyn/cm"},
         FieldEntry{"area_dilation_ratio",
                    &T::area_dilation_ratio,
                    "C of the Skalak law",

@@ -60,7 +60,9 @@ TEST(CommandLine, bad_commands_end_with_2_and_say_what_to_write) {
 }
 
 TEST(CommandLine, a_selftest_ends_with_1_if_one_check_fails_or_one_part_throws) {
-    const tt::SelftestPart good{"good", [] { return std::vector<tt::Check>{{"x", 2.0, 2.1, 0.06}}; }};
+    const tt::SelftestPart good{"good", [] {
+                                    return std::vector<tt::Check>{{"x", 2.0, 2.1, 0.06}};
+                                }};
     const tt::SelftestPart bad{"bad", [] { return std::vector<tt::Check>{{"y", 2.0, 1.8, 0.06}}; }};
     const tt::SelftestPart throws{
         "throws", []() -> std::vector<tt::Check> { throw std::runtime_error("blew up"); }};
