@@ -192,19 +192,35 @@ Outline kept_outline(const Suspension& cells, const InteriorState& interior, int
     return {{interior.x.data() + first, count}, {interior.y.data() + first, count}};
 }
 
-/// Lays a cell anew if it has moved; keeps the positions it was laid from.
+/// Keeps as positions of a cell those it will have half-way to when it must be laid again, so that
+/// on average the cytoplasm neither lags nor leads: each node goes on with its velocity until the
+/// fastest has gone (nearly) `distance`, for `horizon` steps at most.
+void look_ahead(const Suspension& cells, int first, int count, double distance,
+                InteriorState& interior) {
+    constexpr double nearly = 0.95, horizon = 100.0;
+    double fastest = 0.0;
+    for (int k = first; k < first + count; ++k)
+        fastest = greater(fastest, cells.ux[k] * cells.ux[k] + cells.uy[k] * cells.uy[k]);
+    const double steps = lesser(horizon, nearly * distance / std::sqrt(fastest));
+    for (int k = first; k < first + count; ++k) {
+        interior.x[k] = cells.x[k] + steps * cells.ux[k];
+        interior.y[k] = cells.y[k] + steps * cells.uy[k];
+    }
+}
+
+/// Lays a cell anew if it has moved away from where it was laid.
 void refresh_cell(const ViscosityModel& model, const Suspension& cells, InteriorState& interior,
                   int cell) {
     CellPatch& patch = interior.patches[cell];
     const int first = cells.first[cell];
     const int count = cells.node_count(cell);
-    patch.refreshed =
-        moved(cells.x.data() + first, cells.y.data() + first, interior.x.data() + first,
-              interior.y.data() + first, count, model.refresh_distance) &&
-        lay_cell(model, interior.fraction.lattice(), outline(cells, cell), patch);
+    patch.refreshed = moved(cells.x.data() + first, cells.y.data() + first,
+                            interior.x.data() + first, interior.y.data() + first, count,
+                            model.refresh_distance);
     if (!patch.refreshed) return;
-    std::copy_n(cells.x.data() + first, count, interior.x.data() + first);
-    std::copy_n(cells.y.data() + first, count, interior.y.data() + first);
+    look_ahead(cells, first, count, model.refresh_distance, interior);
+    patch.refreshed =
+        lay_cell(model, interior.fraction.lattice(), kept_outline(cells, interior, cell), patch);
 }
 
 }  // namespace
