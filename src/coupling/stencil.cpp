@@ -192,37 +192,34 @@ void mark_starts(const Lattice& lattice, Stencils& stencils) {
 /// A row of sites is near membranes where a 4 × 4 block starts in it or up to three rows below.
 TT_CLONES void mark_near_membranes(const Lattice& lattice, Stencils& stencils) {
     const auto [begin, end] = team_share(lattice.ny);
-    const int per_row = stencils.starts.per_row();
+    const int pitch = stencils.starts.pitch();
     for (int j = begin; j < end; ++j) {
         std::uint8_t* const __restrict marks = stencils.near_membranes.row(j);
-        std::fill_n(marks, per_row, std::uint8_t{0});
+        std::fill_n(marks, pitch, std::uint8_t{0});
         for (const int image : {j, j - lattice.ny, j + lattice.ny}) {
             if (image != j && lattice.walls) continue;
             for (int start = image - reach + 1; start <= image; ++start) {
                 const int row = start - lowest_start;
                 if (row < 0 || row >= start_rows(lattice)) continue;
                 const std::uint8_t* const starts = stencils.starts.row(row);
-                for (int b = 0; b < per_row; ++b) marks[b] |= starts[b];
+                for (int b = 0; b < pitch; b += 64)
+                    for (int k = b; k < b + 64; ++k) marks[k] |= starts[k];
             }
         }
     }
 }
 
-/// Zeroes the marked blocks and the halo of rows [begin, end) of a field.
-void clear_marked(const SiteBlocks& marked, Field& field, int begin, int end) {
-    const Lattice& lattice = field.lattice();
+/// Zeroes a row of both fields, halo included, but for the blocks that are not marked.
+void clear_row(double* x, double* y, int nx, const std::uint8_t* marks, int blocks) {
     constexpr int width = SiteBlocks::width, halo = Lattice::halo;
-    for (int j = begin; j < end; ++j) {
-        double* const row = field.row(j);
-        if (j < 0 || j >= lattice.ny) {
-            std::fill(row - halo, row + lattice.nx + halo, 0.0);
-            continue;
-        }
+    for (double* const row : {x, y}) {
         std::fill_n(row - halo, halo, 0.0);
-        const std::uint8_t* const marks = marked.row(j);
-        for (int b = 0; b < marked.per_row(); ++b)
-            if (marks[b]) std::fill_n(row + b * width, width, 0.0);
-        std::fill_n(row + lattice.nx, halo, 0.0);
+        std::fill_n(row + nx, halo, 0.0);
+    }
+    for (int b = 0; b < blocks; ++b) {
+        if (!marks[b]) continue;
+        std::fill_n(x + b * width, width, 0.0);
+        std::fill_n(y + b * width, width, 0.0);
     }
 }
 
@@ -311,8 +308,18 @@ void spread(Order order, const Stencils& stencils, const Suspension& cells, Vect
 
 void unspread(const Stencils& stencils, VectorField& force) {
     const Rows rows = own_rows(force);
-    clear_marked(stencils.near_membranes, force.x, rows.begin, rows.end);
-    clear_marked(stencils.near_membranes, force.y, rows.begin, rows.end);
+    const Lattice& lattice = force.x.lattice();
+    const SiteBlocks& near = stencils.near_membranes;
+    for (int j = rows.begin; j < rows.end; ++j) {
+        double* const x = force.x.row(j);
+        double* const y = force.y.row(j);
+        if (j >= 0 && j < lattice.ny) {
+            clear_row(x, y, lattice.nx, near.row(j), near.per_row());
+        } else {
+            std::fill(x - Lattice::halo, x + lattice.nx + Lattice::halo, 0.0);
+            std::fill(y - Lattice::halo, y + lattice.nx + Lattice::halo, 0.0);
+        }
+    }
     team_barrier();
 }
 
