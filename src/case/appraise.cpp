@@ -162,7 +162,7 @@ void advise_on_inertia(const Case& c, const Choice& choice, const Appraisal& a, 
     // its migration was seen to be 15 % too slow (docs/theory/fluid.md, studies/migration).
     const double carried = choice.density_scale * c.plasma.density.si * choice.largest_speed.si *
                            equivalent_radius(c).si / c.plasma.viscosity.si;
-    if (a.cells > 0 && channel && c.numerics.equilibrium == "linear" && carried > 0.3)
+    if (a.cells > 0 && channel && choice.equilibrium == "linear" && carried > 0.3)
         adviser.consider(
             "With equilibrium = \"linear\" and density scale {:.3g} a cell that the flow carries "
             "along feels its own speed, at Reynolds number {:.2g}, which slows its way to the "
@@ -173,12 +173,12 @@ void advise_on_inertia(const Case& c, const Choice& choice, const Appraisal& a, 
             "Density scale {:.3g}: up to 200 the steady answer in shear stays within 1 %. Write "
             "density_scale = 200.",
             choice.density_scale);
-    if (c.numerics.equilibrium != "linear" && a.cell_reynolds_run > (channel ? 0.35 : 0.1))
+    if (choice.equilibrium != "linear" && a.cell_reynolds_run > (channel ? 0.35 : 0.1))
         adviser.consider(
             "With equilibrium = \"{}\" inertia acts at the raised Reynolds number {:.2g}; physical "
             "is {:.2g}. "
             "Write density_scale = {:.3g}{}.",
-            c.numerics.equilibrium, a.cell_reynolds_run, a.cell_reynolds,
+            choice.equilibrium, a.cell_reynolds_run, a.cell_reynolds,
             std::max(1.0, 0.1 / a.cell_reynolds), channel ? "" : " or equilibrium = \"linear\"");
 }
 

@@ -307,8 +307,9 @@ struct FieldList<NumericsCase> {
                    {},
                    "0.1875"},
         FieldEntry{"equilibrium", &T::equilibrium,
-                   "linear is Stokes flow; incompressible and full (Eq. 2) keep inertia", any_value,
-                   "linear|incompressible|full"},
+                   "linear is Stokes flow; incompressible and full (Eq. 2) keep inertia; auto: "
+                   "incompressible where the flow carries cells along, else linear",
+                   any_value, "auto|linear|incompressible|full"},
         FieldEntry{"delta", &T::delta, "kernel between sites and nodes (Eq. 8 is cosine4)",
                    any_value, "cosine4|hat2|roma3|peskin4"},
         FieldEntry{"interior", &T::interior, "how the sites inside a cell are found", any_value,
