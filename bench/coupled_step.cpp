@@ -15,6 +15,7 @@
 #include "case/read.hpp"
 #include "exchange/periodic.hpp"
 #include "fluid/collide_stream.hpp"
+#include "membrane/area.hpp"
 #include "simulation/advance.hpp"
 #include "simulation/drive.hpp"
 
@@ -111,7 +112,7 @@ void split_step(benchmark::State& bench) {
     const Model& m = run.model;
     State& s = run.state;
     Laps laps({"membrane", "contact", "dipoles", "unspread", "locate", "spread", "fold",
-               "viscosity", "fluid", "settle", "fill", "interpolate", "correct"});
+               "viscosity", "fluid", "settle", "fill", "interpolate", "correct", "area"});
     for (auto _ : bench) {
         for (int k = 0; k < batch; ++k) {
             laps.start();
@@ -132,6 +133,7 @@ void split_step(benchmark::State& bench) {
             run.exchange.fill(flow), laps.lap();
             interpolate(Order::first, s.stencils, flow, s.cells), laps.lap();
             correct_velocities(m.jump, s.cells), laps.lap();
+            hold_areas(s.cells), laps.lap();
             for (int n = 0; n < s.cells.node_count(); ++n) {
                 s.cells.x[n] += s.cells.ux[n];
                 s.cells.y[n] += s.cells.uy[n];

@@ -112,7 +112,9 @@ void fluid_pass(benchmark::State& state) {
     Best roof_time;
     for (auto _ : state) {
         roof_time.time([&] {
-            with_team(threads, [&] { for (int n = 0; n < pairs; ++n) update_twice(roof); });
+            with_team(threads, [&] {
+                for (int n = 0; n < pairs; ++n) update_twice(roof);
+            });
         });
         state.SetIterationTime(pass_time.time([&] {
             with_team(threads, [&] {

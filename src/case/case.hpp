@@ -86,6 +86,7 @@ struct MembraneCase {
     BendingModulus bending_modulus{1.8e-19};
     std::string bending = "current";         ///< curvature per current | reference length
     std::optional<Pressure> area_stiffness;  ///< k_p
+    bool hold_area = true;
     HardeningCase hardening;
 
     friend bool operator==(const MembraneCase&, const MembraneCase&) = default;

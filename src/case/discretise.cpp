@@ -60,6 +60,7 @@ Membrane membrane_of(const Case& c, const Choice& choice, const Scales& scales) 
     }
     membrane.hardening = hardening_of(m.hardening);
     membrane.area_stiffness = scales.to_lattice(choice.area_stiffness);
+    membrane.hold_area = m.hold_area;
     return membrane;
 }
 

@@ -30,6 +30,7 @@ std::string resolved_toml(const Case& c, const Choice& choice, const Model& mode
     text += line("dt", choice.dt, s);
     text += line("relaxation_time", choice.relaxation_time);
     text += line("density_scale", choice.density_scale);
+    text += fmt::format("# {:<24} {}\n", "equilibrium", choice.equilibrium);
     text += line("cell_reynolds_as_run", choice.cell_reynolds(c));
     text += line("shear_rate", choice.shear_rate, s);
     text += line("largest_speed", choice.largest_speed, s);

@@ -223,6 +223,9 @@ struct FieldList<MembraneCase> {
                    not_negative,
                    {},
                    "2 kPa"},
+        FieldEntry{"hold_area", &T::hold_area,
+                   "undo the leakage of cells by a uniform normal velocity of their nodes; false: "
+                   "area pressure alone"},
         FieldEntry{"hardening", &T::hardening,
                    "strain hardening, the 2D-LD model of the paper (Eq. 12)"},
     };

@@ -13,6 +13,7 @@ struct Membrane {
     Bending bending;
     Hardening hardening;
     double area_stiffness = 0.0;  ///< k_p
+    bool hold_area = false;       ///< membrane/area.hpp
 };
 
 /// Sets fx, fy to the membrane forces of Eqs. 10–15, and area and alpha of each cell. Team

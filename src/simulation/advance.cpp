@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "fluid/collide_stream.hpp"
+#include "membrane/area.hpp"
 #include "simulation/drive.hpp"
 
 namespace tt {
@@ -47,6 +48,7 @@ void advance(const Model& m, State& s, Exchange& x, FlowKept kept) {
     x.fill(velocity);
     interpolate(order, s.stencils, velocity, s.cells);  // Eq. 7
     correct_velocities(m.jump, s.cells);
+    if (m.membrane.hold_area) hold_areas(s.cells);
     move_nodes(s.cells);
     finish_step(m, s);
 }

@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "base/random.hpp"
+#include "membrane/area.hpp"
+#include "membrane/outline.hpp"
+#include "membrane/shapes.hpp"
+
+namespace tt {
+namespace {
+
+double area(const Suspension& cells) {
+    std::vector<Vec2> points;
+    for (int k = 0; k < cells.node_count(); ++k) points.push_back(cells.position(k));
+    return area_of(points);
+}
+
+/// A cell of the area given, relative to its reference, with random velocities.
+Suspension moving_cell(double area_ratio) {
+    Suspension cells;
+    add_cell(cells, placed(ellipse(14.0, 6.0, 90), 0.7, {310.5, 20.25}));
+    size_derived(cells);
+    cells.area = {area(cells)};
+    cells.perimeter = {perimeter(outline(cells, 0))};
+    cells.reference_area[0] = cells.area[0] / area_ratio;
+    Random random(3);
+    for (int k = 0; k < cells.node_count(); ++k) {
+        cells.ux[k] = 0.03 + random.uniform(-1e-3, 1e-3);
+        cells.uy[k] = random.uniform(-1e-3, 1e-3);
+    }
+    return cells;
+}
+
+double area_after_move(Suspension cells) {
+    for (int k = 0; k < cells.node_count(); ++k) {
+        cells.x[k] += cells.ux[k];
+        cells.y[k] += cells.uy[k];
+    }
+    return area(cells);
+}
+
+TEST(HoldAreas, a_cell_of_the_right_area_keeps_it) {
+    Suspension cells = moving_cell(1.0);
+    const double before = cells.area[0];
+    EXPECT_GT(std::abs(area_after_move(cells) / before - 1.0), 1e-6);
+    hold_areas(cells);
+    EXPECT_NEAR(area_after_move(cells) / before, 1.0, 1e-8);
+}
+
+TEST(HoldAreas, an_error_is_undone_by_a_thousandth_a_step) {
+    for (const double ratio : {0.99, 1.02}) {
+        Suspension cells = moving_cell(ratio);
+        hold_areas(cells);
+        const double error = area_after_move(cells) / cells.reference_area[0] - 1.0;
+        EXPECT_NEAR(error / (ratio - 1.0), 0.999, 1e-5);
+    }
+}
+
+TEST(HoldAreas, only_the_normal_velocity_changes_and_by_the_same_on_all_nodes) {
+    Suspension cells = moving_cell(0.999);
+    const Suspension before = cells;
+    hold_areas(cells);
+    const double change = std::hypot(cells.ux[0] - before.ux[0], cells.uy[0] - before.uy[0]);
+    EXPECT_GT(change, 0.0);
+    for (int k = 1; k + 1 < cells.node_count(); ++k) {
+        const Vec2 difference = cells.velocity(k) - before.velocity(k);
+        EXPECT_NEAR(norm(difference), change, 1e-12);
+        EXPECT_NEAR(dot(difference, cells.position(k + 1) - cells.position(k - 1)), 0.0, 1e-12);
+    }
+}
+
+}  // namespace
+}  // namespace tt
