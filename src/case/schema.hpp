@@ -224,7 +224,7 @@ struct FieldList<MembraneCase> {
                    {},
                    "2 kPa"},
         FieldEntry{"hold_area", &T::hold_area,
-                   "undo the leakage of cells by a uniform normal velocity of their nodes; false: "
+                   "undo the leakage of cells by a normal velocity of their nodes; false: "
                    "area pressure alone"},
         FieldEntry{"hardening", &T::hardening,
                    "strain hardening, the 2D-LD model of the paper (Eq. 12)"},

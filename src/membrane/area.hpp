@@ -6,11 +6,11 @@ namespace tt {
 
 /// Keeps the cells' areas. The interpolated node velocities are not quite divergence-free, and the
 /// lattice fluid is slightly compressible, so that a cell leaks: by some 10⁻⁸ of its area a step,
-/// 2·10⁻³ in 10⁵ steps. Takes the same outward normal velocity off all nodes of a cell, such that
-/// the coming move x → x + u leaves it with the area A it has, less 1/1000 of A − A_ref. The shape
-/// is not touched: the move differs by about 10⁻⁷ sites a step. Area pressure (Eq. 14) stays; it
-/// carries what the constraint would otherwise ask of the fluid at once. Precondition: `area` is
-/// that of the positions. Team function.
+/// 2·10⁻³ in 10⁵ steps. Changes the node velocities of each cell by the least (Σ |δu|²) with which
+/// the coming move x → x + u leaves the cell with the area A it has, less 1/1000 of A − A_ref: by
+/// δu = −c ∂A/∂x, an outward normal velocity, the same on evenly spaced nodes, of about 10⁻⁷ sites
+/// a step. Area pressure (Eq. 14) stays; it carries what the constraint would otherwise ask of the
+/// fluid at once. Precondition: `area` is that of the positions. Team function.
 void hold_areas(Suspension& cells);
 
 }  // namespace tt
