@@ -133,6 +133,56 @@ class Measured:
         return float(np.nanmean(self.cells(name)))
 
 
+def sharpest_bend(outline: np.ndarray) -> float:
+    """Largest turning angle per length along an outline, times the radius of the circle of its area; 1 on a circle."""
+    edge = np.roll(outline, -1, axis=0) - outline
+    before = np.roll(edge, 1, axis=0)
+    turn = np.arctan2(before[:, 0] * edge[:, 1] - before[:, 1] * edge[:, 0], np.sum(before * edge, axis=1))
+    x, y = (outline - outline.mean(axis=0)).T
+    area = 0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)))
+    length = np.linalg.norm(edge, axis=1)
+    return float(np.max(np.abs(turn) / (0.5 * (length + np.roll(length, 1)))) * np.sqrt(area / np.pi))
+
+
+@dataclasses.dataclass(frozen=True)
+class Health:
+    """What tells a folded or an overlapping cell, over a whole run."""
+    failed_at: float  # s; NaN if it went to its end
+    stretch_min: float  # of any segment
+    bend_max: float  # sharpest bend of any outline in the frames
+    overlaps: float  # most nodes inside another cell at one time
+    gap_min: float  # smallest gap between cells [m]
+    area_error: float
+
+
+def health(run: Measured) -> Health:
+    bends = [sharpest_bend(frame.outline(cell)) for frame in run.results.frames() for cell in range(frame.cell_count)]
+    return Health(run.end if run.failed else np.nan, run.cells("stretch_min", whole=True).min(), max(bends),
+                  *(reduce(run.series(name, whole=True)) for name, reduce in
+                    [("overlaps", np.max), ("smallest_gap", np.nanmin), ("area_error_max", np.max)]))
+
+
+def failures(kept: list[Health]) -> str:
+    """How many runs failed, and when."""
+    at = [one.failed_at for one in kept if np.isfinite(one.failed_at)]
+    return f"{len(at)} of {len(kept)} failed" + (f" at {over_seeds(at).text(2, 1e3)} ms" if at else "")
+
+
+STRESSES = {"traction": "outside traction", "principal": "principal stress at the membrane's site"}
+
+
+def by_wall_distance(run: Measured, stress: str) -> list[tuple[float, float, float]]:
+    """(r_min [m], G*, ε): means over the looks at cells whose smallest distance to a wall is in the same 0.5 µm.
+
+    Bins with fewer than 1 % of the looks are left out.
+    """
+    distance, star, strain = (run.cells(name).ravel() for name in ("wall_distance", f"shear_number_star_{stress}", "strain"))
+    bins = np.floor(distance / 0.5e-6)
+    chosen = [bins == k for k in np.unique(bins)]
+    return [(distance[at].mean(), np.nanmean(star[at]), strain[at].mean())
+            for at in chosen if np.isfinite(star[at]).sum() > 0.01 * len(bins)]
+
+
 def status_of(directory: pathlib.Path) -> str:
     """done, failed, stopped, running as status.json has it; empty without one."""
     path = directory / "status.json"
