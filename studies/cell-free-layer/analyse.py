@@ -22,6 +22,8 @@ def runs(plan):
 
 def layer(run, definition):
     """As a share of the width; profile and core of the averaged H(y), as docs/theory/analysis.md advises."""
+    if run.failed:
+        return np.nan  # no averaged profile
     width = run.results.grid["width"]
     if definition in ("gap", "envelope"):
         return run.mean(f"cfl_{definition}") / width
