@@ -44,8 +44,8 @@ def permutation_p(a, b, trials: int = 20000) -> float:
     """Chance that means as far apart as those of a and b come about by dealing their members at random."""
     a, b = np.asarray(a), np.asarray(b)
     pool, seen = np.concatenate([a, b]), abs(a.mean() - b.mean())
-    random = np.random.default_rng(2014)
-    sums = np.array([random.permutation(pool)[:len(a)].sum() for _ in range(trials)])
+    deals = np.random.default_rng(2014).permuted(np.tile(pool, (trials, 1)), axis=1)
+    sums = deals[:, :len(a)].sum(axis=1)
     apart = np.abs(sums / len(a) - (pool.sum() - sums) / len(b))
     return (1 + np.count_nonzero(apart >= seen - 1e-15)) / (1 + trials)
 
@@ -155,6 +155,7 @@ class Health:
     area_error: float
 
 
+@functools.cache
 def health(run: Measured) -> Health:
     bends = [sharpest_bend(frame.outline(cell)) for frame in run.results.frames() for cell in range(frame.cell_count)]
     return Health(run.end if run.failed else np.nan, run.cells("stretch_min", whole=True).min(), max(bends),
@@ -217,7 +218,7 @@ class Study:
     def __init__(self, plan: Plan, runs: pathlib.Path, out: pathlib.Path, loaded: dict[str, Measured]):
         self.plan = plan
         self._runs = runs
-        self._out = out
+        self.out = out
         self._loaded = loaded  # shared by all studies
         self.figures: dict[str, str] = {}  # name: caption
 
@@ -231,9 +232,9 @@ class Study:
 
     def draw(self, name: str, caption: str, commands: str, curves: list[Curve], size=(480, 330)) -> None:
         """Writes NAME.dat (a block a curve) and NAME.gp, and draws NAME.svg with gnuplot."""
-        self._out.mkdir(parents=True, exist_ok=True)
+        self.out.mkdir(parents=True, exist_ok=True)
         style = SOURCE / "src/report/assets/style.gp"
-        (self._out / "style.gp").write_text(style.read_text())
+        (self.out / "style.gp").write_text(style.read_text())
         blocks, plots = [], []
         for curve in curves:
             rows = [row for row in zip(*curve.columns)]
@@ -241,12 +242,12 @@ class Study:
             title = curve.title.replace("'", "''")
             plots.append(f"'{name}.dat' index {len(blocks)} {curve.style} " + (f"title '{title}'" if title else "notitle"))
             blocks.append(f"# {curve.title or 'untitled'}\n" + "\n".join(lines) + "\n")
-        (self._out / f"{name}.dat").write_text("\n\n".join(blocks))
+        (self.out / f"{name}.dat").write_text("\n\n".join(blocks))
         script = (f'load "style.gp"\nset terminal svg size {size[0]},{size[1]} dynamic background "white" '
                   f'font "DejaVu Sans,Verdana,sans-serif,11"\nset output "{name}.svg"\n{commands}\n'
                   + ("" if not plots else "plot " + ", \\\n     ".join(plots) + "\n"))
-        (self._out / f"{name}.gp").write_text(script)
-        subprocess.run(["gnuplot", f"{name}.gp"], cwd=self._out, check=True)
+        (self.out / f"{name}.gp").write_text(script)
+        subprocess.run(["gnuplot", f"{name}.gp"], cwd=self.out, check=True)
         self.figures[name] = caption
 
 

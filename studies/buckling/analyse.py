@@ -17,7 +17,7 @@ def groups(plan):
     made = {}
     for case in ("II", "III"):
         made[case, "default"] = plan.channels(case, RATE)
-        made[case, "printed"] = plan.channels(case, RATE, "printed", **PRINTED)
+        made[case, "printed"] = plan.channels(case, RATE, "printed", 0.5, **PRINTED)
         made[case, "soft"] = plan.channels(case, RATE, "soft", 0.2, **SOFT)
         made[case, "soft printed"] = plan.channels(case, RATE, "soft-printed", 0.005, **SOFT, **PRINTED, **{
             "output.frames": "0.01 ms", "output.series": "0.002 ms"})

@@ -44,9 +44,10 @@ class Script(unittest.TestCase):
             page = (pathlib.Path(scratch) / "paper.html").read_text()
             for folder in (source / "studies").glob("*/analyse.py"):
                 self.assertIn(f"id='{folder.parent.name}'", page)
-            for figure in page.split("<img src='")[1:]:
-                drawn = pathlib.Path(scratch) / figure.split("'")[0]
-                self.assertIn("</svg>", drawn.read_text())
+            figures = list(pathlib.Path(scratch).glob("*/*.svg"))
+            self.assertEqual(page.count("<img src='data:image/svg+xml;base64,"), len(figures))
+            for figure in figures:
+                self.assertIn("</svg>", figure.read_text())
             self.assertNotIn("not judged", page)
 
 
