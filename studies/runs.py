@@ -29,27 +29,39 @@ class Run:
 @dataclasses.dataclass(frozen=True)
 class Plan:
     seeds: tuple[int, ...] = (1, 2, 3)
-    channel_dx: float = 0.25  # um
+    channel_dx: float = 0.25  # um, for the paper's nine cases
+    coarse_dx: float = 0.4  # um, for what is compared among our own runs only
+    fine_dx: float = 0.2  # um, to see what resolution changes
     transits: float = 10.0  # of a channel run; the second half is averaged
     shear_dx: float = 0.4  # um, in the wide box
     shear_share: float = 1.0  # of the time after which a cell in shear is steady
 
-    def channel(self, case: str, rate: int, seed: int, variant: str = "", share: float = 1.0, **keys: str) -> Run:
+    def channel(self, case: str, rate: int, seed: int, variant: str = "", share: float = 1.0, dx: float | None = None,
+                **keys: str) -> Run:
         """Twelve cells at a nominal rate [/s], for a share of the plan's transits.
 
-        `case`: I, II or III; `variant` names what else the keys change.
+        `case`: I, II or III; `variant` names what else the keys change; `dx` [um] if not that of the plan.
         """
+        variant, dx = (variant, self.channel_dx) if dx is None else (f"{variant}{'-' * bool(variant)}h{dx}", dx)
         transit = CHANNEL_LENGTH / (CHANNEL_WIDTH * rate)  # s
         time = share * self.transits * transit
         keys = {"cells.seed": str(seed), "membrane.hardening.apply_to": CASES[case],
-                "flow.pseudo_shear_rate": f"{rate} /s", "numerics.dx": f"{self.channel_dx} um", "time.end": f"{time * 1e3:g} ms",
+                "flow.pseudo_shear_rate": f"{rate} /s", "numerics.dx": f"{dx} um", "time.end": f"{time * 1e3:g} ms",
                 "output.series": f"{time / 500 * 1e3:g} ms", "output.frames": f"{time / 10 * 1e3:g} ms", **keys}
         return _run(f"channel-{case}-{rate}{'-' * bool(variant)}{variant}-seed{seed}", "05-channel", keys,
-                    rate * time * CHANNEL_LENGTH * CHANNEL_WIDTH / self.channel_dx**4)
+                    rate * time * CHANNEL_LENGTH * CHANNEL_WIDTH / dx**4)
 
-    def channels(self, case: str, rate: int, variant: str = "", share: float = 1.0, **keys: str) -> list[Run]:
+    def channels(self, case: str, rate: int, variant: str = "", **options) -> list[Run]:
         """The same with each seed."""
-        return [self.channel(case, rate, seed, variant, share, **keys) for seed in self.seeds]
+        return [self.channel(case, rate, seed, variant, **options) for seed in self.seeds]
+
+    def held(self, rate: int) -> list[Run]:
+        """Case III with the mean velocity held instead of the pressure drop, on the coarse grid."""
+        return self.channels("III", rate, "held", dx=self.coarse_dx, **{"flow.hold": "mean-velocity"})
+
+    def not_held(self, rate: int) -> list[Run]:
+        """What `held` is compared with."""
+        return self.channels("III", rate, dx=self.coarse_dx)
 
     def shear(self, case: str, ratio: float, shear_number: float, width: float = 40.0) -> Run:
         """One cell at G between walls `width` um apart, in a box four times as long; `ratio` of the viscosities.
@@ -77,7 +89,7 @@ class Plan:
         return [run for rate in RATES for case in CASES for run in self.channels(case, rate)]
 
 
-QUICK = Plan(seeds=(1, 2), channel_dx=1.0, transits=0.05, shear_dx=1.0, shear_share=0.01)  # does everything, shows nothing
+QUICK = Plan(seeds=(1, 2), channel_dx=1.0, coarse_dx=1.0, fine_dx=1.0, transits=0.05, shear_dx=1.0, shear_share=0.01)  # does everything, shows nothing
 
 
 def _run(name: str, case: str, keys: dict[str, str], weight: float) -> Run:

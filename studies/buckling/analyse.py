@@ -17,9 +17,9 @@ def groups(plan):
     made = {}
     for case in ("II", "III"):
         made[case, "default"] = plan.channels(case, RATE)
-        made[case, "printed"] = plan.channels(case, RATE, "printed", 0.5, **PRINTED)
-        made[case, "soft"] = plan.channels(case, RATE, "soft", 0.2, **SOFT)
-        made[case, "soft printed"] = plan.channels(case, RATE, "soft-printed", 0.005, **SOFT, **PRINTED, **{
+        made[case, "printed"] = plan.channels(case, RATE, "printed", dx=plan.coarse_dx, **PRINTED)
+        made[case, "soft"] = plan.channels(case, RATE, "soft", dx=plan.coarse_dx, **SOFT)
+        made[case, "soft printed"] = plan.channels(case, RATE, "soft-printed", share=0.005, **SOFT, **PRINTED, **{
             "output.frames": "0.01 ms", "output.series": "0.002 ms"})
     return made
 
@@ -74,11 +74,11 @@ def analyse(study):
         Claim("Case II buckles and fails, Case III does not", "regular in II, avoided in III", both("default"),
               fails("II", "default") and none_fails("III", "default"), "default pair, α(2 − λ) in compression; asked: every run of II fails, none of III"),
         Claim("the same with Eq. 12 as printed in compression", "regular in II, avoided in III", both("printed"),
-              fails("II", "printed") and none_fails("III", "printed"), "default pair; α < 1 for λ < 1, but the tension stays monotone"),
+              fails("II", "printed") and none_fails("III", "printed"), "default pair, h = 0.4 µm; α < 1 for λ < 1, but the tension stays monotone"),
         Claim("the same with hardening soft at rest, as the paper's simple shear asks, as printed in compression", "regular in II, avoided in III",
               both("soft printed"), fails("II", "soft printed") and none_fails("III", "soft printed"),
               "D = 13.65, β = 4; if both fail, scaling the bending does not cure it"),
-        Claim("the same pair with α(2 − λ) in compression", "", both("soft"), None, "two transits; a change of the branch for λ < 1 alone"),
+        Claim("the same pair with α(2 − λ) in compression", "", both("soft"), None, "h = 0.4 µm; a change of the branch for λ < 1 alone"),
         Claim("the cause is compressed segments (Fig. 8)", "compressive forces against the spontaneous curvature",
               "tension turns back at " + ", ".join(f"λ = {at:.3f} ({label})" if np.isfinite(at) else f"no λ ({label})" for label, at in turning.items()),
               fails("II", "soft printed") and none_fails("II", "soft") and none_fails("II", "printed"),
