@@ -55,13 +55,13 @@ class Plan:
         """The same with each seed."""
         return [self.channel(case, rate, seed, variant, **options) for seed in self.seeds]
 
-    def held(self, rate: int) -> list[Run]:
-        """Case III with the mean velocity held instead of the pressure drop, on the coarse grid."""
-        return self.channels("III", rate, "held", dx=self.coarse_dx, **{"flow.hold": "mean-velocity"})
+    def held(self, rate: int, case: str = "III") -> list[Run]:
+        """With the mean velocity held instead of the pressure drop, on the coarse grid."""
+        return self.channels(case, rate, "held", dx=self.coarse_dx, **{"flow.hold": "mean-velocity"})
 
-    def not_held(self, rate: int) -> list[Run]:
+    def not_held(self, rate: int, case: str = "III") -> list[Run]:
         """What `held` is compared with."""
-        return self.channels("III", rate, dx=self.coarse_dx)
+        return self.channels(case, rate, dx=self.coarse_dx)
 
     def shear(self, case: str, ratio: float, shear_number: float, width: float = 40.0) -> Run:
         """One cell at G between walls `width` um apart, in a box four times as long; `ratio` of the viscosities.
