@@ -18,7 +18,7 @@ def groups(plan):
     for case in ("II", "III"):
         made[case, "default"] = plan.channels(case, RATE)
         made[case, "printed"] = plan.channels(case, RATE, "printed", dx=plan.coarse_dx, **PRINTED)
-        made[case, "soft"] = plan.channels(case, RATE, "soft", dx=plan.coarse_dx, **SOFT)
+        made[case, "soft"] = plan.channels(case, RATE, "soft", share=0.2, dx=plan.coarse_dx, **SOFT)
         made[case, "soft printed"] = plan.channels(case, RATE, "soft-printed", share=0.005, **SOFT, **PRINTED, **{
             "output.frames": "0.01 ms", "output.series": "0.002 ms"})
     return made
@@ -78,7 +78,7 @@ def analyse(study):
         Claim("the same with hardening soft at rest, as the paper's simple shear asks, as printed in compression", "regular in II, avoided in III",
               both("soft printed"), fails("II", "soft printed") and none_fails("III", "soft printed"),
               "D = 13.65, β = 4; if both fail, scaling the bending does not cure it"),
-        Claim("the same pair with α(2 − λ) in compression", "", both("soft"), None, "h = 0.4 µm; a change of the branch for λ < 1 alone"),
+        Claim("the same pair with α(2 − λ) in compression", "", both("soft"), None, "h = 0.4 µm, two transits; a change of the branch for λ < 1 alone"),
         Claim("the cause is compressed segments (Fig. 8)", "compressive forces against the spontaneous curvature",
               "tension turns back at " + ", ".join(f"λ = {at:.3f} ({label})" if np.isfinite(at) else f"no λ ({label})" for label, at in turning.items()),
               fails("II", "soft printed") and none_fails("II", "soft") and none_fails("II", "printed"),

@@ -9,7 +9,7 @@ SCALE = "100"  # of the density, a third of what `auto` takes at 50 /s on the co
 
 
 def spaced(plan):
-    return {dx: plan.channels("III", 500, dx=None if dx == plan.channel_dx else dx) for dx in (plan.coarse_dx, plan.channel_dx, plan.fine_dx)}
+    return {dx: plan.channels("III", 500, dx=None if dx == plan.channel_dx else dx) for dx in (plan.coarse_dx, plan.channel_dx)}
 
 
 def scaled(plan):
