@@ -54,13 +54,18 @@ class Plan:
         """The same with each seed."""
         return [self.channel(case, rate, seed, variant, **options) for seed in self.seeds]
 
-    def held(self, rate: int, case: str = "III") -> list[Run]:
-        """With the mean velocity held instead of the pressure drop, on the coarse grid."""
-        return self.channels(case, rate, "held", dx=self.coarse_dx, **{"flow.hold": "mean-velocity"})
+    def coarse(self, case: str, rate: int, variant: str = "", **options) -> list[Run]:
+        """`channels` on the coarse grid, for questions among our own runs.
 
-    def not_held(self, rate: int, case: str = "III") -> list[Run]:
-        """What `held` is compared with."""
-        return self.channels(case, rate, dx=self.coarse_dx)
+        At 500 /s the stiffness k_p that `auto` takes there, times α(λ_C), becomes unstable (studies/resolution); hence a lower one.
+        """
+        if rate == 500:
+            options = {"membrane.area_stiffness": "1.5 kPa", **options}
+        return self.channels(case, rate, variant, dx=self.coarse_dx, **options)
+
+    def held(self, rate: int, case: str = "III") -> list[Run]:
+        """With the mean velocity held instead of the pressure drop; to be compared with `coarse`."""
+        return self.coarse(case, rate, "held", **{"flow.hold": "mean-velocity"})
 
     def shear(self, case: str, ratio: float, shear_number: float, width: float = 40.0) -> Run:
         """One cell at G between walls `width` um apart, in a box four times as long; `ratio` of the viscosities.

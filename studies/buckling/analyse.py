@@ -17,8 +17,8 @@ def groups(plan):
     made = {}
     for case in ("II", "III"):
         made[case, "default"] = plan.channels(case, RATE)
-        made[case, "printed"] = plan.channels(case, RATE, "printed", dx=plan.coarse_dx, **PRINTED)
-        made[case, "soft"] = plan.channels(case, RATE, "soft", share=0.2, dx=plan.coarse_dx, **SOFT)
+        made[case, "printed"] = plan.coarse(case, RATE, "printed", **PRINTED)
+        made[case, "soft"] = plan.coarse(case, RATE, "soft", share=0.2, **SOFT)
         made[case, "soft printed"] = plan.channels(case, RATE, "soft-printed", share=0.005, **SOFT, **PRINTED, **{
             "output.frames": "0.01 ms", "output.series": "0.002 ms"})
     return made

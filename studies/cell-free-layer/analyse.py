@@ -13,7 +13,7 @@ LAYERS = {"gap": "smallest gap", "profile": "half maximum of H(y)", "core": "uni
 def groups(plan):
     """What is held: runs at each rate. The first is on the plan's grid, the two that are compared on the coarse one."""
     return {(hold, rate): runs(rate) for rate in RATES for hold, runs in
-            [("pressure", lambda rate: plan.channels("III", rate)), ("pressure, coarse grid", plan.not_held),
+            [("pressure", lambda rate: plan.channels("III", rate)), ("pressure, coarse grid", lambda rate: plan.coarse("III", rate)),
              ("velocity, coarse grid", plan.held)]}
 
 

@@ -10,10 +10,10 @@ MODULI = ("shear", "bending", "area", "contact")
 
 
 def groups(plan):
-    made = {"none": plan.channels("III", RATE, dx=plan.coarse_dx)}
+    made = {"none": plan.coarse("III", RATE)}
     for left_out in MODULI:
         others = ",".join(modulus for modulus in MODULI if modulus != left_out)
-        made[left_out] = plan.channels("III", RATE, f"without-{left_out}", dx=plan.coarse_dx, **{"membrane.hardening.apply_to": others})
+        made[left_out] = plan.coarse("III", RATE, f"without-{left_out}", **{"membrane.hardening.apply_to": others})
     return made
 
 
