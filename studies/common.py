@@ -147,7 +147,7 @@ def sharpest_bend(outline: np.ndarray) -> float:
 @dataclasses.dataclass(frozen=True)
 class Health:
     """What tells a folded or an overlapping cell, over a whole run."""
-    failed_at: float  # s; NaN if it went to its end
+    failed: bool
     stretch_min: float  # of any segment
     bend_max: float  # sharpest bend of any outline in the frames
     overlaps: float  # most nodes inside another cell at one time
@@ -158,15 +158,15 @@ class Health:
 @functools.cache
 def health(run: Measured) -> Health:
     bends = [sharpest_bend(frame.outline(cell)) for frame in run.results.frames() for cell in range(frame.cell_count)]
-    return Health(run.end if run.failed else np.nan, run.cells("stretch_min", whole=True).min(), max(bends),
+    return Health(run.failed, run.cells("stretch_min", whole=True).min(), max(bends),
                   *(reduce(run.series(name, whole=True)) for name, reduce in
                     [("overlaps", np.max), ("smallest_gap", np.nanmin), ("area_error_max", np.max)]))
 
 
-def failures(kept: list[Health]) -> str:
+def failures(runs: list[Measured]) -> str:
     """How many runs failed, and when."""
-    at = [one.failed_at for one in kept if np.isfinite(one.failed_at)]
-    return f"{len(at)} of {len(kept)} failed" + (f" at {over_seeds(at).text(2, 1e3)} ms" if at else "")
+    at = [run.end for run in runs if run.failed]
+    return f"{len(at)} of {len(runs)} failed" + (f" at {over_seeds(at).text(2, 1e3)} ms" if at else "")
 
 
 STRESSES = {"traction": "outside traction", "principal": "principal stress at the membrane's site"}

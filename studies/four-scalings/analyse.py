@@ -28,14 +28,14 @@ def analyse(study):
 
     def text(group):
         rows = kept[group]
-        return (f"{failures(rows)}; λ_C {extension[group].text()}, longest cell {over_seeds(run.cells('lambda_C', whole=True).max() for run in made[group]).text(2)}; "
+        return (f"{failures(made[group])}; λ_C {extension[group].text()}, longest cell {over_seeds(run.cells('lambda_C', whole=True).max() for run in made[group]).text(2)}; "
                 f"smallest stretch {over_seeds(h.stretch_min for h in rows).text(2)}; "
                 f"sharpest bend {over_seeds(h.bend_max for h in rows).text(1)}/a; smallest gap {over_seeds(h.gap_min for h in rows).text(2, 1e6)} µm; "
                 f"most nodes inside another cell {max(h.overlaps for h in rows):.0f}; largest area error {over_seeds(h.area_error for h in rows).text(1, 1e3)}e-3")
 
     def needed(group):
         """Left out, a run fails, cells overlap or fold, or the extension leaves the band of all four by more than the scatter."""
-        ill = any(np.isfinite(h.failed_at) or h.overlaps > 0 or h.stretch_min < 0.5 for h in kept[group])
+        ill = any(h.failed or h.overlaps > 0 or h.stretch_min < 0.5 for h in kept[group])
         both = extension["none"], extension[group]
         return ill, ill or abs(both[1].mean - both[0].mean) > 2 * max(both[0].sd, both[1].sd)
 

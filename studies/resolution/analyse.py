@@ -1,5 +1,5 @@
 """What resolution and the raised Reynolds number change: no claim of the paper, but the error bar of ours."""
-from common import Claim, failures, health, over_seeds
+from common import Claim, failures, over_seeds
 
 TITLE = "What resolution changes"
 ORDER = 14
@@ -26,7 +26,7 @@ def text(made):
     def value(run, name):
         return run.mean_of_cells(name) if name.startswith("shear_number") else run.mean(name) * (1e6 if name.startswith("cfl") else 1)
 
-    return failures([health(run) for run in made]) + "; " + "; ".join(f"{label} {over_seeds(value(run, name) for run in made).text(digits)}{' µm' * name.startswith('cfl')}"
+    return failures(made) + "; " + "; ".join(f"{label} {over_seeds(value(run, name) for run in made).text(digits)}{' µm' * name.startswith('cfl')}"
                      for name, (label, digits) in QUANTITIES.items())
 
 
