@@ -33,8 +33,9 @@ def analyse(study):
              for case, ratio in SWEEPS}
 
     def deformation(case, ratio, g_3d, modulus):
-        """Our D at the G of Eq. 20, whose modulus is `modulus` times E_s; nothing outside the sweep."""
-        return np.interp(eq_20(g_3d) * modulus, SHEAR_NUMBERS, sweep[case, ratio], left=np.nan, right=np.nan)
+        """Our D at the G of Eq. 20, whose modulus is `modulus` times E_s, linear in log G; NaN outside the sweep."""
+        at = np.log(eq_20(g_3d) * modulus / SHEAR_NUMBERS[0])
+        return np.interp(at, np.log(np.array(SHEAR_NUMBERS) / SHEAR_NUMBERS[0]), sweep[case, ratio], left=np.nan, right=np.nan)
 
     def errors(case, ratio, modulus, at=(0.05, 0.1, 0.2)):
         return {g: deformation(case, ratio, g, modulus) / mean[g] - 1 for g in at}
@@ -42,7 +43,7 @@ def analyse(study):
     def text(errors):
         return ", ".join("outside the sweep" if np.isnan(e) else f"{100 * e:+.0f} % at G = {g:g}" for g, e in errors.items())
 
-    g = np.geomspace(0.0125, 0.6, 60)
+    g = np.geomspace(0.02, 0.6, 60)
     points = [Curve(f"3D, {author}", f"with points pointtype {6 + k} linecolor 7", list(data))
               for k, (author, data) in enumerate(single.items())]
     styles = {("III", 1, 1): "with lines linetype 1", ("III", 1, 3): "with lines linetype 1 dashtype 2",
@@ -53,7 +54,7 @@ def analyse(study):
     study.draw("taylor-deformation", "Taylor deformation against the 3D shear number: 3D capsules, and ours at the 2D "
                "shear number of Eq. 20, built on E_s or on 3 E_s.",
                'set xlabel "{/:Italic G} (3D)"\nset ylabel "{/:Italic D}_{xy}"\nset xrange [0:0.55]\nset yrange [0:0.75]\n'
-               'set key left top font ",9" noenhanced', points + lines)
+               'set key right bottom font ",9" noenhanced', points + lines)
 
     paper_reading = errors("III", 1, 1)
     small_strain = errors("III", 1, 3)
