@@ -25,8 +25,7 @@ struct CheckOptions {
 
 std::string with_spaces(std::int64_t number) {
     std::string text = std::to_string(number);
-    for (std::size_t at = text.size(); at > 3; at -= 3)
-        text.insert(at - 3, " ");
+    for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, " ");
     return text;
 }
 
@@ -74,6 +73,10 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
             ? fmt::format("{:.4g} in plasma, {:.4g} where it is most viscous ({})", a.tau_plasma,
                           a.tau_cytoplasm, c.numerics.collision == "trt" ? "TRT" : "BGK")
             : fmt::format("{:.4g}", a.tau_plasma));
+    print_line("equilibrium", choice.equilibrium == "linear" ? "linear: Stokes flow"
+                              : choice.equilibrium == "incompressible"
+                                  ? "incompressible: with advection"
+                                  : "full: with advection, Eq. 2");
     print_line("density scale",
                choice.density_scale < 1.0 + 1e-9
                    ? std::string("1: the physical Reynolds number")

@@ -46,9 +46,9 @@ void describe_program(CLI::App& app) {
         "  tanktread check my-channel.toml\n"
         "  tanktread run my-channel.toml\n"
         "  tanktread report results/my-channel\n\n"
-        "Exit codes: 0 done, 1 internal error, 2 bad command or case, 3 unstable (last\n"
-        "good state kept), 4 results directory in use or of another case, 5 cannot read\n"
-        "or write, 75 stopped early (run again to resume).");
+        "Exit codes: 0 done, 1 internal error or failed selftest, 2 bad command or case,\n"
+        "3 unstable (last good state kept), 4 results directory in use or of another\n"
+        "case, 5 cannot read or write, 75 stopped early (run again to resume).");
     app.set_version_flag("--version",
                          fmt::format("tanktread {} ({}, {})", version, compiler, build_type),
                          "show the version");
@@ -125,6 +125,7 @@ int run_command_line(int argc, const char* const* argv) {
     add_status(app, action);
     add_report(app, action);
     add_export(app, action);
+    add_selftest(app, action);
     add_keys(app, action);
     for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
         verb->group("Verbs");

@@ -38,6 +38,7 @@ void add_resume(CLI::App& app, Action& action, const std::string& command_line);
 void add_status(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
+void add_selftest(CLI::App& app, Action& action);
 void add_keys(CLI::App& app, Action& action);
 
 }  // namespace tt

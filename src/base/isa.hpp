@@ -12,3 +12,5 @@
 #endif
 
 #define TT_INLINE inline __attribute__((always_inline))
+/// The same after the parameters of a lambda.
+#define TT_INLINE_LAMBDA __attribute__((always_inline))

@@ -17,12 +17,13 @@ namespace {
 constexpr double mach_limit =
     0.3;  // beyond, the error of compressibility, of order Ma², passes a tenth
 
-/// T'(1) of the in-plane law, by a central difference.
+/// T'(1) of the in-plane law, by a central difference; T(1) if that is larger, as in a drop.
 double tension_slope(const Membrane& membrane) {
     constexpr double step = 1e-5;
     return std::visit(
         [](const auto& law) {
-            return (law.tension(1.0 + step) - law.tension(1.0 - step)) / (2.0 * step);
+            const double slope = (law.tension(1.0 + step) - law.tension(1.0 - step)) / (2.0 * step);
+            return std::max(slope, law.tension(1.0));
         },
         membrane.in_plane);
 }
@@ -157,24 +158,28 @@ void advise_on_step(const Case& c, const Choice& choice, const Appraisal& a, Adv
 
 void advise_on_inertia(const Case& c, const Choice& choice, const Appraisal& a, Adviser& adviser) {
     const bool channel = a.transits > 0.0;
-    if (a.cells > 0 && channel && choice.density_scale > 50.0)
+    // Without advection a cell that is carried along at V feels inertia at S rho V a / mu; at 0.3
+    // its migration was seen to be 15 % too slow (docs/theory/fluid.md, studies/migration).
+    const double carried = choice.density_scale * c.plasma.density.si * choice.largest_speed.si *
+                           equivalent_radius(c).si / c.plasma.viscosity.si;
+    if (a.cells > 0 && channel && choice.equilibrium == "linear" && carried > 0.3)
         adviser.consider(
-            "Density scale {:.3g}: in channels 50 stays inside the scatter between seeds, 100 "
-            "moves the "
-            "viscosity. Write density_scale = 50.",
-            choice.density_scale);
+            "With equilibrium = \"linear\" and density scale {:.3g} a cell that the flow carries "
+            "along feels its own speed, at Reynolds number {:.2g}, which slows its way to the "
+            "middle. Write equilibrium = \"incompressible\" or density_scale = {:.2g}.",
+            choice.density_scale, carried, std::max(1.0, 0.3 * choice.density_scale / carried));
     if (a.cells > 0 && !channel && choice.density_scale > 200.0 && c.flow.drive == "shear")
         adviser.consider(
             "Density scale {:.3g}: up to 200 the steady answer in shear stays within 1 %. Write "
             "density_scale = 200.",
             choice.density_scale);
-    if (c.numerics.equilibrium != "linear" && a.cell_reynolds_run > 0.1)
+    if (choice.equilibrium != "linear" && a.cell_reynolds_run > (channel ? 0.35 : 0.1))
         adviser.consider(
             "With equilibrium = \"{}\" inertia acts at the raised Reynolds number {:.2g}; physical "
             "is {:.2g}. "
-            "Write density_scale = {:.3g} or equilibrium = \"linear\".",
-            c.numerics.equilibrium, a.cell_reynolds_run, a.cell_reynolds,
-            std::max(1.0, 0.1 / a.cell_reynolds));
+            "Write density_scale = {:.3g}{}.",
+            choice.equilibrium, a.cell_reynolds_run, a.cell_reynolds,
+            std::max(1.0, 0.1 / a.cell_reynolds), channel ? "" : " or equilibrium = \"linear\"");
 }
 
 void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& a,

@@ -80,7 +80,7 @@ struct HardeningCase {
 };
 
 struct MembraneCase {
-    std::string law = "neo-hookean";   ///< neo-hookean | hookean | skalak
+    std::string law = "neo-hookean";   ///< neo-hookean | hookean | skalak | surface-tension
     Tension shear_modulus{6e-6};       ///< E_s
     double area_dilation_ratio = 1.0;  ///< Skalak's C
     BendingModulus bending_modulus{1.8e-19};
@@ -115,7 +115,7 @@ struct NumericsCase {
     std::optional<double> node_spacing;  ///< in sites
     std::string collision = "trt";       ///< trt | bgk
     double magic = 3.0 / 16.0;           ///< Λ of TRT
-    std::string equilibrium = "linear";  ///< linear (Stokes) | incompressible | full (Eq. 2)
+    std::string equilibrium = "auto";    ///< auto | linear (Stokes) | incompressible | full (Eq. 2)
     std::string delta = "peskin4";       ///< cosine4 | hat2 | roma3 | peskin4
     std::string interior = "scan-line";  ///< scan-line | flood-fill
     std::string interface_viscosity = "area-fraction";  ///< sharp | smoothed | area-fraction

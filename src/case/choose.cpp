@@ -122,6 +122,14 @@ void choose_step(const Case& c, Choice& choice) {
     choice.density_scale = choice.dt.si / (half_step * unit);
 }
 
+/// Without advection and at a raised density a cell that is carried along feels its own speed
+/// (docs/theory/fluid.md); at rest in a shear flow it is better off without inertia.
+std::string choose_equilibrium(const Case& c) {
+    if (c.numerics.equilibrium != "auto") return c.numerics.equilibrium;
+    const bool carried = c.flow.drive != "shear" && c.flow.drive != "none";
+    return carried && !c.numerics.fluid_only ? "incompressible" : "linear";
+}
+
 /// k_p: well within what the lattice fluid's compressibility allows, at most 10 kPa.
 Pressure choose_area_stiffness(const Case& c, const Choice& choice) {
     if (c.membrane.area_stiffness) return *c.membrane.area_stiffness;
@@ -151,6 +159,7 @@ Choice choose(const Case& c) {
     choose_flow(c, choice);
     choose_step(c, choice);
     choice.node_spacing = c.numerics.node_spacing.value_or(1.0);
+    choice.equilibrium = choose_equilibrium(c);
     choice.area_stiffness = choose_area_stiffness(c, choice);
     return choice;
 }

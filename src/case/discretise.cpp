@@ -48,6 +48,8 @@ Membrane membrane_of(const Case& c, const Choice& choice, const Scales& scales) 
         membrane.in_plane = Hookean{modulus};
     } else if (m.law == Skalak::name) {
         membrane.in_plane = Skalak{modulus, m.area_dilation_ratio};
+    } else if (m.law == SurfaceTension::name) {
+        membrane.in_plane = SurfaceTension{modulus};
     } else {
         membrane.in_plane = NeoHookean{modulus};
     }
@@ -118,7 +120,7 @@ Model discretise(const Case& c, const Choice& choice) {
     const double dx = choice.dx.si;
     m.scales = {dx, choice.dt.si, choice.density_scale * c.plasma.density.si * dx * dx * dx};
     m.density_scale = choice.density_scale;
-    m.equilibrium = equilibrium_of(c.numerics.equilibrium);
+    m.equilibrium = equilibrium_of(choice.equilibrium);
     m.delta = delta_of(c.numerics.delta);
     m.viscosity = viscosity_of(c, choice, m.scales);
     if (c.numerics.jump_correction) m.jump = jump_correction(m.delta, m.viscosity);

@@ -30,14 +30,20 @@ struct FieldText {
 
 std::string shown(const TomlNode& node) {
     switch (node.kind) {
-        case Kind::string: return toml_string(node.text);
-        case Kind::integer: return fmt::format("{}", node.integer);
+        case Kind::string:
+            return toml_string(node.text);
+        case Kind::integer:
+            return fmt::format("{}", node.integer);
         case Kind::real:
             return std::isfinite(node.real) ? to_text(node.real) : fmt::format("{}", node.real);
-        case Kind::boolean: return node.boolean ? "true" : "false";
-        case Kind::date: return "a date";
-        case Kind::array: return "[...]";
-        case Kind::table: return "a table";
+        case Kind::boolean:
+            return node.boolean ? "true" : "false";
+        case Kind::date:
+            return "a date";
+        case Kind::array:
+            return "[...]";
+        case Kind::table:
+            return "a table";
     }
     return {};
 }
@@ -276,8 +282,7 @@ private:
         if (!text.empty() && text.back() == ']') text.remove_suffix(1);
         std::vector<TomlNode> items;
         for (std::string_view part : split(text, ',')) {
-            while (!part.empty() && part.front() == ' ')
-                part.remove_prefix(1);
+            while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
             items.push_back(parse_toml_value(std::string(part)));
         }
         return items;
@@ -427,8 +432,7 @@ Case parse_case(std::string_view text, const std::string& name,
                 const std::vector<std::string>& overrides, const std::filesystem::path& directory) {
     TomlText toml = parse_toml(text, name);
     std::vector<Fault> faults = toml.faults;
-    for (const std::string& item : overrides)
-        apply_override(toml.root, item, faults);
+    for (const std::string& item : overrides) apply_override(toml.root, item, faults);
     Case result;
     const bool whole = toml.faults.empty();
     if (whole || !toml.root.entries.empty()) {

@@ -98,8 +98,7 @@ bool contains(const std::string& text, std::string_view word) {
 
 std::string escaped(std::string_view text) {
     std::string result;
-    for (const char c : text)
-        result += c == '|' ? std::string("\\|") : std::string(1, c);
+    for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
     return result;
 }
 

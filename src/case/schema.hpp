@@ -196,8 +196,13 @@ struct FieldList<MembraneCase> {
     using T = MembraneCase;
     static constexpr auto entries = std::tuple{
         FieldEntry{"law", &T::law, "tension as a function of stretch (Eqs. 10, 11)", any_value,
-                   "neo-hookean|hookean|skalak"},
-        FieldEntry{"shear_modulus", &T::shear_modulus, "E_s", positive, {}, "6e-3 dyn/cm"},
+                   "neo-hookean|hookean|skalak|surface-tension"},
+        FieldEntry{"shear_modulus",
+                   &T::shear_modulus,
+                   "E_s; gamma of the law surface-tension",
+                   positive,
+                   {},
+                   "6e-3 dyn/cm"},
         FieldEntry{"area_dilation_ratio",
                    &T::area_dilation_ratio,
                    "C of the Skalak law",
@@ -302,8 +307,9 @@ struct FieldList<NumericsCase> {
                    {},
                    "0.1875"},
         FieldEntry{"equilibrium", &T::equilibrium,
-                   "linear is Stokes flow; incompressible and full (Eq. 2) keep inertia", any_value,
-                   "linear|incompressible|full"},
+                   "linear is Stokes flow; incompressible and full (Eq. 2) keep inertia; auto: "
+                   "incompressible where the flow carries cells along, else linear",
+                   any_value, "auto|linear|incompressible|full"},
         FieldEntry{"delta", &T::delta, "kernel between sites and nodes (Eq. 8 is cosine4)",
                    any_value, "cosine4|hat2|roma3|peskin4"},
         FieldEntry{"interior", &T::interior, "how the sites inside a cell are found", any_value,

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/units.hpp"
+#include "membrane/in_plane/surface_tension.hpp"
 
 namespace tt {
 namespace {
@@ -239,6 +242,15 @@ void judge_positions(Judge& judge, const Case& c) {
         }
 }
 
+void judge_membrane(Judge& judge, const MembraneCase& membrane) {
+    const std::vector<std::string>& hardened = membrane.hardening.apply_to;
+    if (membrane.law == SurfaceTension::name &&
+        std::find(hardened.begin(), hardened.end(), "shear") != hardened.end())
+        judge.tell({"membrane.law"},
+                   "a drop of constant surface tension does not harden: take \"shear\" out of "
+                   "apply_to in [membrane.hardening]");
+}
+
 void judge_contact(Judge& judge, const ContactCase& contact) {
     if (contact.model == "none") return;
     if (contact.energy.si > lysis_tension)
@@ -345,6 +357,7 @@ std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
         judge.tell({"layer.thickness"},
                    fmt::format("the layer is {} thick and the box {} wide",
                                to_text(*c.layer.thickness), to_text(c.domain.width)));
+    judge_membrane(judge, c.membrane);
     judge_contact(judge, c.contact);
     judge_grid(judge, c);
     judge_times(judge, c);

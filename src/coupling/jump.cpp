@@ -44,7 +44,7 @@ TT_INLINE Load load_of(const Nodes& m, int before, int k, int next) {
 /// d (t n + n t) Δs with n = (t_y, −t_x): slip s = f_t Δφ c_φ, d = −s/φ̄.
 TT_INLINE void set_dipole(const JumpCorrection& jump, const Nodes& m, int before, int k, int next) {
     const Load load = load_of(m, before, k, next);
-    const double slip = load.tangential * jump.fluidity_jump * jump.spread.viscosity;
+    const double slip = load.tangential * jump.fluidity_jump * jump.spread.slip(load.tx, load.ty);
     const double dipole = -slip / jump.mean_fluidity * load.arc;
     m.dipole_xx[k] = 2.0 * dipole * load.tx * load.ty;
     m.dipole_xy[k] = dipole * (load.ty * load.ty - load.tx * load.tx);
@@ -56,12 +56,15 @@ TT_INLINE void correct_velocity(const JumpCorrection& jump, const Nodes& m, int 
     const double tx = load.tx, ty = load.ty;
     const double stress_jump = -load.tangential;
     const double product = stress_jump * jump.fluidity_jump;
-    // t·(∇u + ∇uᵀ)·n as interpolated = σ̄ φ̄ + rate_share · Δσ Δφ.
+    // t·(∇u + ∇uᵀ)·n as interpolated = σ̄ φ̄ + (share + square · c_φ) Δσ Δφ, the latter by the
+    // dipole.
+    const double length = jump.spread.slip(tx, ty);  // c_φ
     const double rate = 2.0 * tx * ty * m.rate_xx[k] + (ty * ty - tx * tx) * m.rate_xy[k];
+    const double rate_share = jump.spread.share + jump.spread.square * length;
     const double mean_stress = (rate - rate_share * product) / jump.mean_fluidity;
     const double error = jump.spread.force * stress_jump * jump.mean_fluidity +
-                         jump.spread.viscosity * jump.fluidity_jump *
-                             (mean_stress - dipole_share * product / jump.mean_fluidity);
+                         length * jump.fluidity_jump *
+                             (mean_stress - jump.spread.share * product / jump.mean_fluidity);
     m.ux[k] -= error * tx;
     m.uy[k] -= error * ty;
 }

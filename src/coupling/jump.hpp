@@ -13,10 +13,10 @@ namespace tt {
 /// kernel and the lattice smears Δφ over a site, so that the product of the two is misplaced by
 /// O(h): (i) the fluid outside slips past the fluid inside by s = −Δσ Δφ c_φ; (ii) the velocity
 /// interpolated with the same kernel differs from that of the membrane by c_f Δσ φ̄ + c_φ Δφ σ̄ (+
-/// the share of the cure of (i)), σ̄ the mean shear stress. c_f, c_φ are lengths of the kernel
-/// (KernelSpread). The cures are exact for a straight membrane: (i) a symmetric force dipole d (t n
-/// + n t), d = −s/φ̄, whose velocity jump cancels the slip; (ii) the difference is taken off the
-/// node velocity, with σ̄ from the interpolated shear rate.
+/// the share of the cure of (i)), σ̄ the mean shear stress. c_f, c_φ are lengths of kernel and
+/// lattice (KernelSpread). The cures are exact for a straight membrane: (i) a symmetric force
+/// dipole d (t n + n t), d = −s/φ̄, whose velocity jump cancels the slip; (ii) the difference is
+/// taken off the node velocity, with σ̄ from the interpolated shear rate.
 struct JumpCorrection {
     bool active = false;
     double mean_fluidity = 0.0;  ///< φ̄ = ½ (1/μ_out + 1/μ_in)

@@ -164,31 +164,62 @@ TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, c
     }
 }
 
-/// Marks the blocks of sites in this thread's rows that the nodes' 4 × 4 blocks cover, through the
-/// ends of the box if they must: then the last and the first block of a row are marked as well.
-void mark_near_membranes(const Lattice& lattice, Stencils& stencils) {
-    const auto [begin, end] = team_share(lattice.ny);
+/// Rows in which the nodes' 4 × 4 blocks may start: −2 … ny − 2.
+constexpr int lowest_start = -2;
+int start_rows(const Lattice& lattice) { return lattice.ny + 1; }
+
+/// Marks, for each row in which 4 × 4 blocks start, the columns they cover, through the ends of the
+/// box if they must: then the last and the first block of sites are marked as well.
+void mark_starts(const Lattice& lattice, Stencils& stencils) {
+    const auto [begin, end] = team_share(start_rows(lattice));
     if (begin == end) return;
-    const int per_row = stencils.near_membranes.per_row();
-    std::uint8_t* const marks = stencils.near_membranes.row(0);
-    std::fill(marks + begin * per_row, marks + end * per_row, std::uint8_t{0});
+    SiteBlocks& starts = stencils.starts;
+    std::fill(starts.row(begin), starts.row(end), std::uint8_t{0});
     constexpr unsigned width = SiteBlocks::width;
     const int count = static_cast<int>(stencils.i.size());
-    const std::int32_t* const start_i = stencils.i.data();
-    const std::int32_t* const start_j = stencils.j.data();
     for (int n = 0; n < count; ++n) {
-        const int i = start_i[n], last = i + reach - 1;
+        const int row = stencils.j[n] - lowest_start;
+        if (row < begin || row >= end) continue;
+        const int i = stencils.i[n], last = i + reach - 1;
         const bool inside = i >= 0 && last < lattice.nx;
-        const unsigned left = inside ? i / width : 0;
-        const unsigned right = inside ? last / width : per_row - 1;
-        const unsigned middle = inside ? left : std::max(0, (i < 0 ? i + lattice.nx : i)) / width;
-        for (int l = 0; l < reach; ++l) {
-            int j = start_j[n] + l;
-            if (!lattice.walls) j = j < 0 ? j + lattice.ny : j >= lattice.ny ? j - lattice.ny : j;
-            if (j < begin || j >= end) continue;
-            std::uint8_t* const row = marks + j * per_row;
-            row[left] = row[right] = row[middle] = 1;
+        std::uint8_t* const marks = starts.row(row);
+        marks[inside ? i / width : 0] = 1;
+        marks[inside ? last / width : starts.per_row() - 1] = 1;
+        if (!inside) marks[(i < 0 ? i + lattice.nx : i) / width] = 1;
+    }
+}
+
+/// A row of sites is near membranes where a 4 × 4 block starts in it or up to three rows below.
+TT_CLONES void mark_near_membranes(const Lattice& lattice, Stencils& stencils) {
+    const auto [begin, end] = team_share(lattice.ny);
+    const int pitch = stencils.starts.pitch();
+    for (int j = begin; j < end; ++j) {
+        std::uint8_t* const __restrict marks = stencils.near_membranes.row(j);
+        std::fill_n(marks, pitch, std::uint8_t{0});
+        for (const int image : {j, j - lattice.ny, j + lattice.ny}) {
+            if (image != j && lattice.walls) continue;
+            for (int start = image - reach + 1; start <= image; ++start) {
+                const int row = start - lowest_start;
+                if (row < 0 || row >= start_rows(lattice)) continue;
+                const std::uint8_t* const starts = stencils.starts.row(row);
+                for (int b = 0; b < pitch; b += 64)
+                    for (int k = b; k < b + 64; ++k) marks[k] |= starts[k];
+            }
         }
+    }
+}
+
+/// Zeroes a row of both fields, halo included, but for the blocks that are not marked.
+void clear_row(double* x, double* y, int nx, const std::uint8_t* marks, int blocks) {
+    constexpr int width = SiteBlocks::width, halo = Lattice::halo;
+    for (double* const row : {x, y}) {
+        std::fill_n(row - halo, halo, 0.0);
+        std::fill_n(row + nx, halo, 0.0);
+    }
+    for (int b = 0; b < blocks; ++b) {
+        if (!marks[b]) continue;
+        std::fill_n(x + b * width, width, 0.0);
+        std::fill_n(y + b * width, width, 0.0);
     }
 }
 
@@ -264,6 +295,8 @@ void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
         }
     }
     team_barrier();
+    mark_starts(lattice, stencils);
+    team_barrier();
     mark_near_membranes(lattice, stencils);
     team_barrier();
 }
@@ -274,14 +307,17 @@ void spread(Order order, const Stencils& stencils, const Suspension& cells, Vect
 }
 
 void unspread(const Stencils& stencils, VectorField& force) {
+    const Rows rows = own_rows(force);
+    const Lattice& lattice = force.x.lattice();
     const SiteBlocks& near = stencils.near_membranes;
-    const auto [begin, end] = team_share(force.x.lattice().ny);
-    for (int j = begin; j < end; ++j) {
-        const std::uint8_t* const marks = near.row(j);
-        for (int b = 0; b < near.per_row(); ++b) {
-            if (!marks[b]) continue;
-            std::fill_n(force.x.row(j) + b * SiteBlocks::width, SiteBlocks::width, 0.0);
-            std::fill_n(force.y.row(j) + b * SiteBlocks::width, SiteBlocks::width, 0.0);
+    for (int j = rows.begin; j < rows.end; ++j) {
+        double* const x = force.x.row(j);
+        double* const y = force.y.row(j);
+        if (j >= 0 && j < lattice.ny) {
+            clear_row(x, y, lattice.nx, near.row(j), near.per_row());
+        } else {
+            std::fill(x - Lattice::halo, x + lattice.nx + Lattice::halo, 0.0);
+            std::fill(y - Lattice::halo, y + lattice.nx + Lattice::halo, 0.0);
         }
     }
     team_barrier();

@@ -20,6 +20,7 @@ struct Stencils {
     std::vector<double> wx, wy;      ///< per node: `reach` weights along each axis
     std::vector<double> sx, sy;      ///< per node: their derivatives by the node's position
     SiteBlocks near_membranes;       ///< marks all sites of all blocks, where they stand in the box
+    SiteBlocks starts;               ///< work space of `locate`
 
     Stencils() = default;
     Stencils(const Lattice& lattice, int node_count)
@@ -29,7 +30,8 @@ struct Stencils {
           wy(reach * node_count),
           sx(reach * node_count),
           sy(reach * node_count),
-          near_membranes(lattice) {}
+          near_membranes(lattice),
+          starts(Lattice{lattice.nx, lattice.ny + 1}) {}
 };
 
 /// Weights of every node. Near a wall, where the block sticks out of the fluid, the y weights are
@@ -48,7 +50,8 @@ enum class Order : std::uint8_t { zeroth, first };
 /// the bits do not depend on the number of threads. Team function.
 void spread(Order order, const Stencils& stencils, const Suspension& cells, VectorField& force);
 
-/// Zeroes what the last `spread` with these stencils and the `fold` after it left. Team function.
+/// Zeroes the blocks of sites near membranes, as located last, and the halo: whatever a step left
+/// there. Team function.
 void unspread(const Stencils& stencils, VectorField& force);
 
 /// Eq. 7: node velocities (and shear rates) from the velocity field (halo filled). Team function.

@@ -21,17 +21,64 @@ double plain_viscosity(const ViscosityModel& model, int j) {
     return HarmonicMean{}(model.plasma, model.layer_viscosity, share);
 }
 
-/// Relaxation rates of `count` sites of a row.
+/// Relaxation::kind of blocks of sites: plain fluid, the layer of a second one, cytoplasm.
+enum class Kind : std::uint8_t { mixed, plasma, layer, cytoplasm };
+
+/// Rates of each kind, rounded as those of a site of row j in the plasma or the layer are.
 template <class Mean, class Rule>
-TT_INLINE void set_rates(const Mean& mean, const Rule& collision, double plain, double cytoplasm,
-                         const double* __restrict fraction, int count, double* __restrict even,
-                         double* __restrict odd) {
-    for (int k = 0; k < count; ++k) {
-        const double f = lesser(1.0, greater(0.0, fraction[k]));
-        const Rates rates = collision.rates(mean(plain, cytoplasm, f));
-        even[k] = rates.even;
-        odd[k] = rates.odd;
+std::array<Rates, Relaxation::kinds> rates_of_kinds(const ViscosityModel& model, const Mean& mean,
+                                                    const Rule& collision) {
+    return {Rates{}, collision.rates(mean(model.plasma, model.cytoplasm, 0.0)),
+            collision.rates(mean(model.layer_viscosity, model.cytoplasm, 0.0)),
+            collision.rates(mean(model.plasma, model.cytoplasm, 1.0))};
+}
+
+/// The kind of row j where there are no cells.
+Kind plain_kind(const ViscosityModel& model, int j) {
+    if (j >= model.layer_thickness) return Kind::plasma;
+    return j + 1 <= model.layer_thickness ? Kind::layer : Kind::mixed;
+}
+
+/// One row of what depends on the fractions.
+struct FractionRow {
+    int nx;
+    double plain, cytoplasm;      ///< viscosities
+    Kind plain_kind, inner_kind;  ///< of blocks without and full of cytoplasm
+    double* __restrict fraction;
+    double* __restrict even;
+    double* __restrict odd;
+    std::uint8_t* __restrict kind;
+};
+
+/// Sets the kind of the whole blocks that the sites [begin, end) of a row belong to.
+TT_INLINE void set_kinds(const FractionRow& row, int begin, int end) {
+    constexpr int width = SiteBlocks::width;
+    const int whole = row.nx / width;
+    for (int b = begin / width; b < whole && b * width < end; ++b) {
+        int zeros = 0, ones = 0;
+        for (int i = b * width; i < b * width + width; ++i) {
+            zeros += row.fraction[i] == 0.0 ? 1 : 0;
+            ones += row.fraction[i] == 1.0 ? 1 : 0;
+        }
+        const Kind found = zeros == width  ? row.plain_kind
+                           : ones == width ? row.inner_kind
+                                           : Kind::mixed;
+        row.kind[b] = static_cast<std::uint8_t>(found);
     }
+}
+
+/// Sets what follows from the fractions of the sites [begin, end) of a row.
+template <class Mean, class Rule>
+TT_INLINE void set_rates(const Mean& mean, const Rule& collision, const FractionRow& row, int begin,
+                         int end) {
+    const FractionRow to = row;
+    for (int i = begin; i < end; ++i) {
+        const double f = lesser(1.0, greater(0.0, to.fraction[i]));
+        const Rates rates = collision.rates(mean(to.plain, to.cytoplasm, f));
+        to.even[i] = rates.even;
+        to.odd[i] = rates.odd;
+    }
+    set_kinds(to, begin, end);
 }
 
 /// Do `count` numbers differ in any bit?
@@ -42,27 +89,27 @@ TT_INLINE bool differ(const double* a, const double* b, int count) {
     return bits != 0;
 }
 
-/// Adds (now − before) to the fractions of `count` neighbouring sites and sets the rates where that
-/// changes them. Most of a row is far from the membrane and unchanged, so it is taken in blocks.
+/// Adds (now − before) to the fractions of `count` sites of a row from `column` on, and sets what
+/// follows where that changes them. Most of a row is far from the membrane and unchanged, so it is
+/// taken in blocks.
 template <class Mean, class Rule>
-TT_CLONES void change_run(const Mean& mean, const Rule& collision, double plain, double cytoplasm,
-                          const double* __restrict now, const double* __restrict before, int count,
-                          double* __restrict fraction, double* __restrict even,
-                          double* __restrict odd) {
+TT_CLONES void change_run(const Mean& mean, const Rule& collision, const FractionRow& row,
+                          int column, const double* __restrict now, const double* __restrict before,
+                          int count) {
     constexpr int block = Patch::lanes;
     const auto changed = [&](int k) {
         return k + block <= count ? differ(now + k, before + k, block)
                                   : differ(now + k, before + k, count - k);
     };
+    double* const __restrict fraction = row.fraction + column;
     for (int k = 0; k < count; k += block) {
         if (!changed(k)) continue;
         const int first = k;
         do k += block;
         while (k < count && changed(k));
-        const int changes = std::min(k, count) - first;
-        for (int n = first; n < first + changes; ++n) fraction[n] += now[n] - before[n];
-        set_rates(mean, collision, plain, cytoplasm, fraction + first, changes, even + first,
-                  odd + first);
+        const int last = std::min(k, count);
+        for (int n = first; n < last; ++n) fraction[n] += now[n] - before[n];
+        set_rates(mean, collision, row, column + first, column + last);
     }
 }
 
@@ -82,15 +129,26 @@ struct Target {
 
     /// Row `j` of the box, columns `column` … unwrapped.
     void change_row(int j, int column, int count, const double* now, const double* before) const {
-        const double plain = plain_viscosity(model, j);
-        const int nx = fraction.lattice().nx;
+        const FractionRow to = row(j);
         for (int done = 0; done < count;) {
-            const int i = wrapped(column + done, nx);
-            const int run = std::min(count - done, nx - i);
-            change_run(mean, collision, plain, model.cytoplasm, now + done, before + done, run,
-                       fraction.row(j) + i, relaxation.even.row(j) + i, relaxation.odd.row(j) + i);
+            const int i = wrapped(column + done, to.nx);
+            const int run = std::min(count - done, to.nx - i);
+            change_run(mean, collision, to, i, now + done, before + done, run);
             done += run;
         }
+    }
+
+    FractionRow row(int j) const {
+        const Kind plain = plain_kind(model, j);
+        return {fraction.lattice().nx,
+                plain_viscosity(model, j),
+                model.cytoplasm,
+                plain,
+                plain == Kind::plasma ? Kind::cytoplasm : Kind::mixed,
+                fraction.row(j),
+                relaxation.even.row(j),
+                relaxation.odd.row(j),
+                relaxation.kind.row(j)};
     }
 };
 
@@ -192,7 +250,23 @@ Outline kept_outline(const Suspension& cells, const InteriorState& interior, int
     return {{interior.x.data() + first, count}, {interior.y.data() + first, count}};
 }
 
-/// Lays a cell anew if it has moved; keeps the positions it was laid from.
+/// Keeps as positions of a cell those it will have half-way to when it must be laid again, so that
+/// on average the cytoplasm neither lags nor leads: each node goes on with its velocity until the
+/// fastest has gone (nearly) `distance`, for `horizon` steps at most.
+void look_ahead(const Suspension& cells, int first, int count, double distance,
+                InteriorState& interior) {
+    constexpr double nearly = 0.95, horizon = 100.0;
+    double fastest = 0.0;
+    for (int k = first; k < first + count; ++k)
+        fastest = greater(fastest, cells.ux[k] * cells.ux[k] + cells.uy[k] * cells.uy[k]);
+    const double steps = lesser(horizon, nearly * distance / std::sqrt(fastest));
+    for (int k = first; k < first + count; ++k) {
+        interior.x[k] = cells.x[k] + steps * cells.ux[k];
+        interior.y[k] = cells.y[k] + steps * cells.uy[k];
+    }
+}
+
+/// Lays a cell anew if it has moved away from where it was laid.
 void refresh_cell(const ViscosityModel& model, const Suspension& cells, InteriorState& interior,
                   int cell) {
     CellPatch& patch = interior.patches[cell];
@@ -200,11 +274,11 @@ void refresh_cell(const ViscosityModel& model, const Suspension& cells, Interior
     const int count = cells.node_count(cell);
     patch.refreshed =
         moved(cells.x.data() + first, cells.y.data() + first, interior.x.data() + first,
-              interior.y.data() + first, count, model.refresh_distance) &&
-        lay_cell(model, interior.fraction.lattice(), outline(cells, cell), patch);
+              interior.y.data() + first, count, model.refresh_distance);
     if (!patch.refreshed) return;
-    std::copy_n(cells.x.data() + first, count, interior.x.data() + first);
-    std::copy_n(cells.y.data() + first, count, interior.y.data() + first);
+    look_ahead(cells, first, count, model.refresh_distance, interior);
+    patch.refreshed =
+        lay_cell(model, interior.fraction.lattice(), kept_outline(cells, interior, cell), patch);
 }
 
 }  // namespace
@@ -223,10 +297,9 @@ void restore_viscosity(const ViscosityModel& model, const Suspension& cells,
     interior.fraction = Field(lattice);
     interior.patches.assign(cells.cell_count(), {});
     with_target(model, interior, relaxation, [&](const auto& target) {
+        relaxation.rates_of_kind = rates_of_kinds(model, target.mean, target.collision);
         for (int j = 0; j < lattice.ny; ++j)
-            set_rates(target.mean, target.collision, plain_viscosity(model, j), model.cytoplasm,
-                      interior.fraction.row(j), lattice.nx, relaxation.even.row(j),
-                      relaxation.odd.row(j));
+            set_rates(target.mean, target.collision, target.row(j), 0, lattice.nx);
         for (int cell = 0; cell < cells.cell_count(); ++cell) {
             CellPatch& patch = interior.patches[cell];
             if (lay_cell(model, lattice, kept_outline(cells, interior, cell), patch))

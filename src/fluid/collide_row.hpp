@@ -7,6 +7,7 @@
 #include "base/isa.hpp"
 #include "base/vec2.hpp"
 #include "fluid/equilibrium.hpp"
+#include "fluid/relaxation.hpp"
 #include "grid/d2q9.hpp"
 #include "grid/site_blocks.hpp"
 
@@ -25,11 +26,27 @@ struct RowOfSites {
     double* velocity_y;
     /// Per block of sites: is there a force, and is the velocity wanted? Null: yes, everywhere.
     const std::uint8_t* near_membranes;
+    const std::uint8_t* kind;  ///< per block of sites: Relaxation::kind
+    const Rates* rates_of_kind;
+};
+
+/// The relaxation rates of the sites of a row.
+struct RatesPerSite {
+    const double *even, *odd;
+    TT_INLINE double even_at(int i) const { return even[i]; }
+    TT_INLINE double odd_at(int i) const { return odd[i]; }
+};
+
+/// The same rates on all sites.
+struct UniformRates {
+    double even, odd;
+    TT_INLINE double even_at(int) const { return even; }
+    TT_INLINE double odd_at(int) const { return odd; }
 };
 
 /// Collides the sites [begin, end) of a row in place. Away from the membranes there is no force but
-/// the body force, and the velocity is not kept: a fifth of all memory traffic less, which is what
-/// the pass waits for.
+/// the body force, the velocity is not kept and the rates are uniform: a third of all memory
+/// traffic less, which is what the pass waits for.
 ///
 /// Two relaxation times work on pairs of opposite populations: with s = f_i + f_ī, d = f_i − f_ī,
 ///
@@ -48,8 +65,8 @@ struct RowOfSites {
 ///     e_i = ω⁺ δρ + 9/2 (c_i·u)(c_i·v) − 3/2 u·v.
 ///
 /// The populations departing stand where those arriving stood: g_i in the place of f_ī.
-template <class AnEquilibrium, bool near_membranes>
-TT_INLINE void collide_sites(const RowOfSites& row, int begin, int end) {
+template <class AnEquilibrium, bool near_membranes, class RatesOfSites>
+TT_INLINE void collide_sites(const RowOfSites& row, const RatesOfSites& rates, int begin, int end) {
     constexpr bool linear = std::is_same_v<AnEquilibrium, LinearEquilibrium>;
     constexpr bool full = std::is_same_v<AnEquilibrium, FullEquilibrium>;
     constexpr double w_rest = d2q9::weight[0];
@@ -58,8 +75,6 @@ TT_INLINE void collide_sites(const RowOfSites& row, int begin, int end) {
     const auto [f0, f1, f2, f3, f4, f5, f6, f7, f8] = row.at;
     const double* const force_x = row.force_x;
     const double* const force_y = row.force_y;
-    const double* const even_rate = row.even;
-    const double* const odd_rate = row.odd;
     double* const velocity_x = row.velocity_x;
     double* const velocity_y = row.velocity_y;
     const Vec2 body_force = row.body_force;
@@ -92,7 +107,7 @@ TT_INLINE void collide_sites(const RowOfSites& row, int begin, int end) {
             velocity_y[i] = uy;
         }
 
-        const double even = even_rate[i];
+        const double even = rates.even_at(i);
         const double keep_even = 0.5 - 0.5 * even;
         const double e = even * density_deviation;
         double e_rest = e, e_x = e, e_y = e, e_r = e, e_f = e;
@@ -108,7 +123,7 @@ TT_INLINE void collide_sites(const RowOfSites& row, int begin, int end) {
             e_r = e_rest + (xx + yy) + xy;
             e_f = e_rest + (xx + yy) - xy;
         }
-        const double odd = odd_rate[i];
+        const double odd = rates.odd_at(i);
         const double keep_odd = 0.5 - 0.5 * odd;
         const double push_x = (3.0 * w_axis) * (odd * flux_x + fx);
         const double push_y = (3.0 * w_axis) * (odd * flux_y + fy);
@@ -132,15 +147,22 @@ TT_INLINE void collide_sites(const RowOfSites& row, int begin, int end) {
 template <class AnEquilibrium>
 TT_INLINE void collide_row_with(const RowOfSites& row) {
     constexpr int width = SiteBlocks::width;
-    if (!row.near_membranes) return collide_sites<AnEquilibrium, true>(row, 0, row.count);
+    const RatesPerSite per_site{row.even, row.odd};
+    if (!row.near_membranes) return collide_sites<AnEquilibrium, true>(row, per_site, 0, row.count);
+    const auto collide_block = [&](int b, int begin, int end) TT_INLINE_LAMBDA {
+        if (row.near_membranes[b]) {
+            collide_sites<AnEquilibrium, true>(row, per_site, begin, end);
+        } else if (row.kind[b]) {
+            const Rates& rates = row.rates_of_kind[row.kind[b]];
+            collide_sites<AnEquilibrium, false>(row, UniformRates{rates.even, rates.odd}, begin,
+                                                end);
+        } else {
+            collide_sites<AnEquilibrium, false>(row, per_site, begin, end);
+        }
+    };
     const int blocks = row.count / width;
-    for (int b = 0; b < blocks; ++b) {
-        if (row.near_membranes[b])
-            collide_sites<AnEquilibrium, true>(row, b * width, b * width + width);
-        else
-            collide_sites<AnEquilibrium, false>(row, b * width, b * width + width);
-    }
-    collide_sites<AnEquilibrium, true>(row, blocks * width, row.count);
+    for (int b = 0; b < blocks; ++b) collide_block(b, b * width, b * width + width);
+    if (blocks * width < row.count) collide_block(blocks, blocks * width, row.count);
 }
 
 /// `collide_row_with`, compiled for each level of the instruction set.

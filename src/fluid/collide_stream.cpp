@@ -16,6 +16,7 @@ void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& bounda
     RowOfSites row{};
     row.count = lattice.nx;
     row.body_force = body_force;
+    row.rates_of_kind = relaxation.rates_of_kind.data();
     const auto [begin, end] = team_share(lattice.ny);
     // Upwards and downwards in turn: the rows of the end of one pass, still in the cache, are the
     // first of the next. The order of sites does not matter to an update in place.
@@ -27,6 +28,7 @@ void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& bounda
         row.force_y = force.y.row(j);
         row.even = relaxation.even.row(j);
         row.odd = relaxation.odd.row(j);
+        row.kind = relaxation.kind.row(j);
         row.velocity_x = velocity.x.row(j);
         row.velocity_y = velocity.y.row(j);
         row.near_membranes = near_membranes ? near_membranes->row(j) : nullptr;

@@ -17,7 +17,8 @@ namespace tt {
 ///   out: what departs, in the layout of the next phase;
 ///        velocity u = Σ f c + ½F (÷ ρ in the full equilibrium) at the old time, halo untouched
 /// Where `near_membranes` is given, force must be zero outside the marked blocks and velocity is
-/// set only within them; the populations are the same to the bit. Guo's forcing (Eq. 3 as
+/// set only within them; the populations are the same to the bit. `velocity` may be `force`, whose
+/// values it then replaces. Guo's forcing (Eq. 3 as
 /// corrected) split into its even and odd part, each with its own rate. Team function. `settle`
 /// (exchange.hpp) then flips the phase and brings the halo in line.
 void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& boundaries,

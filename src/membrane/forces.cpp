@@ -115,6 +115,9 @@ TT_CLONES void pull_all(const Nodes& m, const Hookean& law, bool h, int b, int e
 TT_CLONES void pull_all(const Nodes& m, const Skalak& law, bool h, int b, int e) {
     pull(m, law, h, b, e);
 }
+TT_CLONES void pull_all(const Nodes& m, const SurfaceTension& law, bool h, int b, int e) {
+    pull(m, law, h, b, e);
+}
 TT_CLONES void bend_all(const Nodes& m, const CurrentCurvature& law, bool h, int b, int e) {
     bend(m, law, h, b, e);
 }

@@ -28,8 +28,8 @@ struct State {
     ContactState contact;
 
     // Derived from the above at every step.
-    VectorField force;
-    VectorField velocity;
+    VectorField force;     ///< on the fluid, by the membranes; see `advance` for what it ends as
+    VectorField velocity;  ///< of the fluid, at the last step that kept it everywhere
     Relaxation relaxation;
     InteriorState interior;
     Stencils stencils;

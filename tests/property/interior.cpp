@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -298,6 +299,53 @@ TEST(Viscosity, a_cell_is_laid_anew_only_when_a_node_has_moved_far_enough) {
     update_viscosity(model, cells, interior, relaxation);
     EXPECT_FALSE(same_bits(before, interior.fraction));
     EXPECT_EQ(interior.x, cells.x);
+}
+
+TEST(Viscosity, of_a_moving_cell_neither_lags_nor_leads_on_average) {
+    const Lattice lattice{64, 48, true};
+    Suspension cells;
+    add_cell(cells, placed(circle(10.0, 64), 0.0, {20.0, 24.0}));
+    ViscosityModel model = model_with(AreaFraction{});
+    model.refresh_distance = 0.1;
+    InteriorState interior;
+    Relaxation relaxation(lattice);
+    rebuild_viscosity(model, cells, interior, relaxation);
+    const int steps = 400;
+    double lag = 0.0;
+    for (int step = 0; step < steps; ++step) {
+        for (int n = 0; n < cells.node_count(); ++n) cells.x[n] += cells.ux[n] = 0.03;
+        update_viscosity(model, cells, interior, relaxation);
+        lag += cells.x[0] - interior.x[0];
+        EXPECT_LE(std::abs(cells.x[0] - interior.x[0]), model.refresh_distance + 1e-12);
+    }
+    EXPECT_LT(std::abs(lag / steps), 0.02);
+}
+
+TEST(Viscosity, marks_the_blocks_of_one_viscosity_truly) {
+    const Lattice lattice{61, 48, true};
+    Suspension cells;
+    add_cell(cells, placed(circle(14.0, 80), 0.0, {50.0, 24.0}));
+    ViscosityModel model = model_with(AreaFraction{});
+    model.layer_viscosity = 0.3;
+    model.layer_thickness = 5.25;
+    InteriorState interior;
+    Relaxation relaxation(lattice);
+    rebuild_viscosity(model, cells, interior, relaxation);
+    std::array<int, Relaxation::kinds> blocks{};
+    for (int step = 0; step < 50; ++step) {
+        for (double& x : cells.x) x += 0.2;
+        update_viscosity(model, cells, interior, relaxation);
+        for (int j = 0; j < lattice.ny; ++j) {
+            for (int i = 0; i < lattice.nx; ++i) {
+                const int kind = relaxation.kind.row(j)[i / SiteBlocks::width];
+                ++blocks[kind];
+                if (kind == 0) continue;
+                ASSERT_EQ(relaxation.even(i, j), relaxation.rates_of_kind[kind].even);
+                ASSERT_EQ(relaxation.odd(i, j), relaxation.rates_of_kind[kind].odd);
+            }
+        }
+    }
+    for (const int count : blocks) EXPECT_GT(count, 0);
 }
 
 TEST(Viscosity, keeps_the_last_good_field_when_positions_are_not_finite) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/selftest.hpp"
 #include "case/read.hpp"
 #include "case/reference.hpp"
 #include "io/json.hpp"
@@ -56,6 +57,36 @@ TEST(CommandLine, bad_commands_end_with_2_and_say_what_to_write) {
     EXPECT_EQ(run({"new", "x", "--from", "chanel"}).code, 2);
     EXPECT_EQ(run({"keys", "nothing-like-it"}).code, 2);
     EXPECT_EQ(run({"--no-such-option"}).code, 2);
+}
+
+TEST(CommandLine, a_selftest_ends_with_1_if_one_check_fails_or_one_part_throws) {
+    const tt::SelftestPart good{"good", [] {
+                                    return std::vector<tt::Check>{{"x", 2.0, 2.1, 0.06}};
+                                }};
+    const tt::SelftestPart bad{"bad", [] { return std::vector<tt::Check>{{"y", 2.0, 1.8, 0.06}}; }};
+    const tt::SelftestPart throws{
+        "throws", []() -> std::vector<tt::Check> { throw std::runtime_error("blew up"); }};
+    const auto outcome = [](std::vector<tt::SelftestPart> parts, bool json = false) {
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        Outcome o;
+        o.code = tt::run_selftest(parts, json);
+        o.out = testing::internal::GetCapturedStdout();
+        o.err = testing::internal::GetCapturedStderr();
+        return o;
+    };
+    EXPECT_EQ(outcome({good}).code, 0);
+    const Outcome failed = outcome({good, bad, good});
+    EXPECT_EQ(failed.code, 1);
+    EXPECT_NE(failed.out.find("FAILED"), std::string::npos);
+    EXPECT_NE(failed.err.find("1 of 3 checks failed"), std::string::npos);
+    const Outcome thrown = outcome({throws, good}, true);
+    EXPECT_EQ(thrown.code, 1);
+    const tt::Json list = tt::Json::parse(thrown.out);
+    ASSERT_EQ(list.size(), 2u);
+    EXPECT_FALSE(list[0]["passed"].get<bool>());
+    EXPECT_NE(list[0]["what"].get<std::string>().find("blew up"), std::string::npos);
+    EXPECT_TRUE(list[1]["passed"].get<bool>());
 }
 
 TEST(CommandLine, a_file_that_cannot_be_read_ends_with_5) {

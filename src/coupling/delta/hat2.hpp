@@ -10,7 +10,7 @@ namespace tt {
 /// The 2-point hat: φ(r) = 1 − |r|, bilinear interpolation.
 struct Hat2 {
     static constexpr std::string_view name = "hat2";
-    static constexpr KernelSpread spread{0.2326, 0.2012};
+    static constexpr KernelSpread spread{0.260, 0.2734, 0.154, 0.088, 0.65};
     TT_INLINE static void weights(double s, double (&w)[4], double (&slope)[4]) {
         slope[0] = 0.0;
         slope[1] = -1.0;

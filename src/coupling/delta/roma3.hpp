@@ -13,7 +13,7 @@ namespace tt {
 /// (5 − 3|r| − √(1 − 3(1 − |r|)²))/6 for ½ ≤ |r| ≤ 3/2.
 struct Roma3 {
     static constexpr std::string_view name = "roma3";
-    static constexpr KernelSpread spread{0.3108, 0.2485};
+    static constexpr KernelSpread spread{0.333, 0.3057, 0.122, 0.100, 0.479};
     TT_INLINE static void weights(double s, double (&w)[4], double (&slope)[4]) {
         // Distance d ∈ [−½, ½] to the nearest site, which is the second one or the third.
         const bool second = s < 0.5;
