@@ -1,8 +1,8 @@
-# Makes generated/report/assets.hpp: each file of src/report/assets that the report page carries as a string.
+# Makes generated/report/assets.hpp: each file of src/report/assets that the program carries as a string.
 set(TT_ASSETS "")
 foreach(pair "chart_script uPlot.iife.min.js" "chart_style uPlot.min.css" "chart_licence uPlot.LICENSE"
              "page_script page.js" "page_style page.css"
-             "page_head head.html" "player_markup player.html" "charts_markup charts.html")
+             "figure_style style.gp" "page_head head.html" "player_markup player.html" "charts_markup charts.html")
   separate_arguments(pair)
   list(GET pair 0 name)
   list(GET pair 1 file)
