@@ -118,7 +118,7 @@ TEST_P(ShortenedChannel, keeps_its_twelve_cells_their_areas_and_their_distance) 
     fmt::print("05-channel, {}: area error {:.1e}, lambda_C {:.3f}, {:.0f} /s, {} steps\n",
                GetParam(), m.area_error_max, m.lambda_C, m.pseudo_shear_rate.si, c.state.step);
     EXPECT_EQ(measure_cells(c.model, c.state).size(), 12u);
-    EXPECT_LT(m.area_error_max, 2e-3);
+    EXPECT_LT(m.area_error_max, 1e-5);
     EXPECT_GT(m.lambda_C, 1.05);
     EXPECT_LT(m.pseudo_shear_rate.si, plasma_alone) << "cells resist the flow";
     EXPECT_EQ(m.overlaps, 0);
