@@ -242,7 +242,8 @@ void CaseRun::finish() {
     write_json(results_.path() / "summary.json", summarise(results_.path(), input),
                Durability::power);
     record("done");
-    say(fmt::format("done: {} steps in {:.1f} s of wall time", steps_, input.wall_seconds));
+    say(fmt::format("done: {} steps in {:.1f} s: {:.3g} MLUPS, {:.3g} cell-steps/s", steps_,
+                    input.wall_seconds, input.mlups, input.cell_steps_per_second));
 }
 
 /// Leaves failure/ with the last good state, the one that failed, and why. Never masks the error it
