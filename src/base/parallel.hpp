@@ -17,18 +17,20 @@ public:
 
     int size() const { return size_; }
 
-    /// Waits for all. A step has some twenty of these and takes a tenth of a millisecond, so it
-    /// spins; but where the machine is busy with other work it soon gives way, or a thread that
-    /// waits would keep the one it waits for from running.
+    /// Waits for all. A step has some twenty of these and takes a few tenths of a millisecond, so it
+    /// spins; but where the machine is busy with other work it soon goes to sleep, or a thread that
+    /// waits would keep the one it waits for from running. (To yield instead is not enough: the
+    /// scheduler may give the time to the other work, a slice of milliseconds at every barrier.)
     void wait() {
         const unsigned generation = generation_.load(std::memory_order_acquire);
         if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {
             arrived_.store(0, std::memory_order_relaxed);
             generation_.store(generation + 1, std::memory_order_release);
+            generation_.notify_all();
             return;
         }
-        for (int spins = 0; generation_.load(std::memory_order_acquire) == generation; ++spins) {
-            if (spins > patience) std::this_thread::yield();
+        for (int looks = 0; generation_.load(std::memory_order_acquire) == generation; ++looks) {
+            if (looks > patience) generation_.wait(generation, std::memory_order_acquire);
         }
     }
 
@@ -43,7 +45,7 @@ public:
     }
 
 private:
-    static constexpr int patience = 4000;  ///< looks before giving way: some microseconds
+    static constexpr int patience = 30'000;  ///< looks before sleep: some tens of microseconds
 
     int size_;
     alignas(64) std::atomic<int> arrived_{0};
