@@ -62,7 +62,7 @@ def analyse(study):
     stretch = np.linspace(0.8, 1.1, 200)
     study.draw("hardened-tension", "Tension T α in compression and extension, with Eq. 12 as printed also for λ < 1. Where it falls "
                "on the way to the left, a segment that is pressed gives way.",
-               'set xlabel "stretch {/Symbol l}"\nset ylabel "{/:Italic T} {/Symbol a} / {/:Italic E}_s"\nset yrange [-0.4:1]\nset key left top\n'
+               'set xlabel "stretch λ"\nset ylabel "{/:Italic T} α / {/:Italic E}_s"\nset yrange [-0.4:1]\nset key left top\n'
                'set xzeroaxis linetype 7 linewidth 0.4',
                [Curve(label, f"with lines linetype {k + 1}", [stretch, hardened_tension(stretch, *pair)]) for k, (label, pair) in enumerate(pairs.items())])
     curves = []

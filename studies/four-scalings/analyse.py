@@ -48,6 +48,6 @@ def analyse(study):
     at = np.arange(len(kept))
     tics = ", ".join(f'"{"all four" if group == "none" else "no " + group}" {k}' for k, group in enumerate(kept))
     study.draw("four-scalings", "Case III at 500 /s with each scaling left out in turn: extension ratio, mean ± scatter over seeds.",
-               f'set xtics ({tics})\nset xrange [-0.5:{len(kept) - 0.5}]\nset ylabel "{{/Symbol l}}_C"\nunset key',
+               f'set xtics ({tics})\nset xrange [-0.5:{len(kept) - 0.5}]\nset ylabel "λ_C"\nunset key',
                [Curve("", "with yerrorbars linetype 1 pointtype 7", [at, [v.mean for v in extension.values()], [v.sd for v in extension.values()]])])
     return claims

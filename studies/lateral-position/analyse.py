@@ -37,7 +37,7 @@ def analyse(study):
         curves.append(Curve(f"{rate} /s", f"with yerrorlines linetype {k + 1} pointtype 7 pointsize 0.6",
                             [middle[shown], np.nanmean(rows[:, shown], axis=0), np.nanstd(rows[:, shown], axis=0, ddof=1)]))
     study.draw("lateral-position", "Extension ratio of Case III against the distance of a cell's centroid from the axis; mean ± scatter over the seeds that have the bin.",
-               'set xlabel "distance from the axis / width"\nset ylabel "{/Symbol l}_C"\nset xrange [0:0.3]\nset key left top', curves)
+               'set xlabel "distance from the axis / width"\nset ylabel "λ_C"\nset xrange [0:0.3]\nset key left top', curves)
 
     rises = {rate: ends(rows) for rate, rows in profiles.items()}
     inner, outer = rises[150]

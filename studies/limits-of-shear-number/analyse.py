@@ -51,7 +51,7 @@ def analyse(study):
         strains = [run.mean("strain") for run in study.load_all(study.plan.channels("III", rate))]
         points.append((rate / SHEAR_RATE_OF_G, over_seeds(strains)))
     study.draw("strain-by-shear-number", "Strain against the shear number G, Case III, ratio 5. Channel: G of the nominal pseudo-shear rate; mean over cells ± scatter over seeds.",
-               'set logscale x\nset xrange [0.01:1.5]\nset xlabel "{/:Italic G}"\nset ylabel "{/Symbol e}"\nset yrange [0:0.16]\nset key left top font ",9"',
+               'set logscale x\nset xrange [0.01:1.5]\nset xlabel "{/:Italic G}"\nset ylabel "ε"\nset yrange [0:0.16]\nset key left top font ",9"',
                [Curve(f"simple shear, walls {width:g} µm apart", f"with linespoints linetype {k + 1} pointtype 7 pointsize 0.5", [SHEAR_NUMBERS, strains])
                 for k, (width, strains) in enumerate(shear.items())]
                + [Curve("channel", "with yerrorbars linetype 3 pointtype 7 pointsize 0.7", [[g for g, _ in points], [v.mean for _, v in points], [v.sd for _, v in points]]),

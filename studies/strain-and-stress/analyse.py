@@ -35,7 +35,7 @@ def analyse(study):
         of_paper = {name: r_squared(points[1], curve(PAPER, points[0])) for name, points in [("shear", in_shear), ("channel", channel)]}
         star = np.linspace(0, 1.05 * pooled[0].max(), 200)
         study.draw(f"strain-{stress}", f"Strain against G* by {words}, Case III, viscosity ratio 5. Channel: bins of 0.5 µm of the distance to the wall, every seed.",
-                   'set xlabel "{/:Italic G}*"\nset ylabel "{/Symbol e}"\nset key right bottom\nset yrange [0:*]',
+                   'set xlabel "{/:Italic G}*"\nset ylabel "ε"\nset key right bottom\nset yrange [0:*]',
                    [Curve("channel", "with points linetype 6 pointtype 7 pointsize 0.35", list(channel)),
                     Curve("simple shear, walls 20 µm apart", "with points linetype 2 pointtype 7 pointsize 0.7", list(shear[20.0])),
                     Curve("simple shear, walls 40 µm apart", "with points linetype 2 pointtype 6 pointsize 0.7", list(shear[40.0])),
