@@ -29,6 +29,7 @@ inline Model small_model() {
     model.jump = jump_correction(model.delta, model.viscosity);
     model.membrane.in_plane = NeoHookean{2e-3};
     model.membrane.area_stiffness = 0.02;
+    model.membrane.hold_area = true;
     model.shear_rate = 0.04 / 24;
     return model;
 }

@@ -1,10 +1,7 @@
 #include "coupling/stencil.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <variant>
 
-#include "base/contracts.hpp"
 #include "base/four.hpp"
 #include "base/isa.hpp"
 #include "base/parallel.hpp"
@@ -13,109 +10,6 @@ namespace tt {
 namespace {
 
 constexpr int reach = Stencils::reach;
-
-/// One axis of the stencils: positions in, block starts and weights out. Site k stands at k + ½.
-struct Axis {
-    const double* position;
-    double period;  ///< wraps the block start into the box; 0: no wrap
-    std::int32_t* start;
-    double* weights;
-    double* slopes;
-};
-
-/// Nodes are weighed a block at a time, side by side, and then laid out node by node: scattered
-/// stores would cost more than the arithmetic.
-template <class Kernel>
-TT_INLINE void weigh(const Axis& axis, int begin, int end) {
-    constexpr int size = 64;
-    double w0[size], w1[size], w2[size], w3[size], s0[size], s1[size], s2[size], s3[size];
-    const double period = axis.period;
-    const double inverse = period > 0.0 ? 1.0 / period : 0.0;
-    for (int at = begin; at < end; at += size) {
-        const int count = end - at < size ? end - at : size;
-        const double* const __restrict position = axis.position + at;
-        std::int32_t* const __restrict start = axis.start + at;
-#pragma omp simd
-        for (int n = 0; n < count; ++n) {
-            const double wrapped = position[n] - period * std::floor(position[n] * inverse);
-            const double second = std::floor(wrapped - 0.5);
-            const double s = wrapped - 0.5 - second;
-            double w[reach], slopes[reach];
-            Kernel::weights(s, w, slopes);
-            start[n] = static_cast<std::int32_t>(second) - 1;
-            w0[n] = w[0], w1[n] = w[1], w2[n] = w[2], w3[n] = w[3];
-            s0[n] = slopes[0], s1[n] = slopes[1], s2[n] = slopes[2], s3[n] = slopes[3];
-        }
-        for (int n = 0; n < count; ++n) {
-            store_four(axis.weights + reach * (at + n), Four{w0[n], w1[n], w2[n], w3[n]});
-            store_four(axis.slopes + reach * (at + n), Four{s0[n], s1[n], s2[n], s3[n]});
-        }
-    }
-}
-
-using Weigh = void (*)(const Axis&, int, int);
-
-// A function that the loader picks by processor cannot be a template: one line per kernel.
-TT_CLONES void weigh_cosine4(const Axis& axis, int begin, int end) {
-    weigh<Cosine4>(axis, begin, end);
-}
-TT_CLONES void weigh_hat2(const Axis& axis, int begin, int end) { weigh<Hat2>(axis, begin, end); }
-TT_CLONES void weigh_roma3(const Axis& axis, int begin, int end) { weigh<Roma3>(axis, begin, end); }
-TT_CLONES void weigh_peskin4(const Axis& axis, int begin, int end) {
-    weigh<Peskin4>(axis, begin, end);
-}
-
-struct WeighOf {
-    Weigh operator()(Cosine4) const { return weigh_cosine4; }
-    Weigh operator()(Hat2) const { return weigh_hat2; }
-    Weigh operator()(Roma3) const { return weigh_roma3; }
-    Weigh operator()(Peskin4) const { return weigh_peskin4; }
-};
-
-/// Linear extrapolation from the two rows nearest to a wall, for a node so near that fewer than two
-/// carry weight.
-void extrapolate(double y, int start, int ny, double* w) {
-    const int nearest = y < 0.5 * ny ? 0 : ny - 2;
-    for (int k = 0; k < reach; ++k) w[k] = 0.0;
-    const double along = y - (nearest + 0.5);
-    w[nearest - start] = 1.0 - along;
-    w[nearest - start + 1] = along;
-}
-
-/// Makes the y weights of a node one-sided where its block sticks out of 0 ≤ j < ny: drops those
-/// outside and multiplies the rest by a + b r (r = site − node) such that Σ w = 1 and Σ w r = 0.
-/// Force and torque are then conserved up to the wall, and a linear velocity is interpolated
-/// exactly.
-void make_one_sided(double y, int start, int ny, double* w) {
-    double m0 = 0.0, m1 = 0.0, m2 = 0.0;
-    for (int k = 0; k < reach; ++k) {
-        if (start + k < 0 || start + k >= ny) w[k] = 0.0;
-        const double r = start + k + 0.5 - y;
-        m0 += w[k];
-        m1 += w[k] * r;
-        m2 += w[k] * r * r;
-    }
-    const double determinant = m0 * m2 - m1 * m1;
-    if (determinant < 1e-9) {
-        extrapolate(y, start, ny, w);
-        return;
-    }
-    for (int k = 0; k < reach; ++k) w[k] *= (m2 - m1 * (start + k + 0.5 - y)) / determinant;
-}
-
-/// Slopes of one-sided weights: w r / Σ w r², exact for a linear field; 0 where only one row has
-/// weight.
-void slope_one_sided(double y, int start, const double* w, double* slopes) {
-    double second_moment = 0.0;
-    for (int k = 0; k < reach; ++k) {
-        const double r = start + k + 0.5 - y;
-        second_moment += w[k] * r * r;
-    }
-    for (int k = 0; k < reach; ++k) {
-        const double r = start + k + 0.5 - y;
-        slopes[k] = std::fabs(second_moment) > 1e-12 ? w[k] * r / second_moment : 0.0;
-    }
-}
 
 /// What a thread adds to or clears: rows [begin, end) of one field pair.
 struct Rows {
@@ -159,51 +53,6 @@ TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, c
             } else {
                 store_four(x, load_four(x) + ((fx * wy[l] + xy * sy[l]) * wx + (xx * wy[l]) * sx));
                 store_four(y, load_four(y) + ((fy * wy[l] - xx * sy[l]) * wx + (xy * wy[l]) * sx));
-            }
-        }
-    }
-}
-
-/// Rows in which the nodes' 4 × 4 blocks may start: −2 … ny − 2.
-constexpr int lowest_start = -2;
-int start_rows(const Lattice& lattice) { return lattice.ny + 1; }
-
-/// Marks, for each row in which 4 × 4 blocks start, the columns they cover, through the ends of the
-/// box if they must: then the last and the first block of sites are marked as well.
-void mark_starts(const Lattice& lattice, Stencils& stencils) {
-    const auto [begin, end] = team_share(start_rows(lattice));
-    if (begin == end) return;
-    SiteBlocks& starts = stencils.starts;
-    std::fill(starts.row(begin), starts.row(end), std::uint8_t{0});
-    constexpr unsigned width = SiteBlocks::width;
-    const int count = static_cast<int>(stencils.i.size());
-    for (int n = 0; n < count; ++n) {
-        const int row = stencils.j[n] - lowest_start;
-        if (row < begin || row >= end) continue;
-        const int i = stencils.i[n], last = i + reach - 1;
-        const bool inside = i >= 0 && last < lattice.nx;
-        std::uint8_t* const marks = starts.row(row);
-        marks[inside ? i / width : 0] = 1;
-        marks[inside ? last / width : starts.per_row() - 1] = 1;
-        if (!inside) marks[(i < 0 ? i + lattice.nx : i) / width] = 1;
-    }
-}
-
-/// A row of sites is near membranes where a 4 × 4 block starts in it or up to three rows below.
-TT_CLONES void mark_near_membranes(const Lattice& lattice, Stencils& stencils) {
-    const auto [begin, end] = team_share(lattice.ny);
-    const int pitch = stencils.starts.pitch();
-    for (int j = begin; j < end; ++j) {
-        std::uint8_t* const __restrict marks = stencils.near_membranes.row(j);
-        std::fill_n(marks, pitch, std::uint8_t{0});
-        for (const int image : {j, j - lattice.ny, j + lattice.ny}) {
-            if (image != j && lattice.walls) continue;
-            for (int start = image - reach + 1; start <= image; ++start) {
-                const int row = start - lowest_start;
-                if (row < 0 || row >= start_rows(lattice)) continue;
-                const std::uint8_t* const starts = stencils.starts.row(row);
-                for (int b = 0; b < pitch; b += 64)
-                    for (int k = b; k < b + 64; ++k) marks[k] |= starts[k];
             }
         }
     }
@@ -273,33 +122,6 @@ TT_CLONES void interpolate_rate(const Stencils& w, const VectorField& u, Suspens
 }
 
 }  // namespace
-
-void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
-            Stencils& stencils) {
-    TT_EXPECTS(static_cast<int>(stencils.i.size()) == cells.node_count());
-    const auto [begin, end] = team_share(cells.node_count());
-    const Weigh weigh_axis = std::visit(WeighOf{}, delta);
-    const double y_period = lattice.walls ? 0.0 : lattice.ny;
-    weigh_axis({cells.x.data(), static_cast<double>(lattice.nx), stencils.i.data(),
-                stencils.wx.data(), stencils.sx.data()},
-               begin, end);
-    weigh_axis(
-        {cells.y.data(), y_period, stencils.j.data(), stencils.wy.data(), stencils.sy.data()},
-        begin, end);
-    if (lattice.walls) {
-        for (int n = begin; n < end; ++n) {
-            const int j = stencils.j[n];
-            if (j >= 0 && j + reach <= lattice.ny) continue;
-            make_one_sided(cells.y[n], j, lattice.ny, &stencils.wy[reach * n]);
-            slope_one_sided(cells.y[n], j, &stencils.wy[reach * n], &stencils.sy[reach * n]);
-        }
-    }
-    team_barrier();
-    mark_starts(lattice, stencils);
-    team_barrier();
-    mark_near_membranes(lattice, stencils);
-    team_barrier();
-}
 
 void spread(Order order, const Stencils& stencils, const Suspension& cells, VectorField& force) {
     (order == Order::zeroth ? spread_forces : spread_dipoles)(stencils, cells, own_rows(force));

@@ -24,7 +24,6 @@ TT_INLINE Vec2 gradient(const Nodes& n, int before, int next) {
 template <class F>
 TT_INLINE void for_each_node(int count, F&& f) {
     f(count - 1, 0, 1);
-#pragma omp simd
     for (int k = 1; k < count - 1; ++k) f(k - 1, k, k + 1);
     f(count - 2, count - 1, 0);
 }
@@ -34,30 +33,19 @@ struct Change {
     double area = 0.0, gradient2 = 0.0;
 };
 
-TT_CLONES Change change_of_move(const Nodes nodes) {
-    const Nodes n = nodes;
-    constexpr int lanes = 8;
-    double area[lanes] = {}, gradient2[lanes] = {};
-    const auto add = [&](int before, int k, int next) TT_INLINE_LAMBDA {
-        const Vec2 g = gradient(n, before, next);
-        area[k % lanes] +=
-            n.ux[k] * g.x + n.uy[k] * g.y + 0.5 * (n.ux[k] * n.uy[next] - n.uy[k] * n.ux[next]);
-        gradient2[k % lanes] += g.x * g.x + g.y * g.y;
-    };
-    add(n.count - 1, 0, 1);
-    for (int k = 1; k < n.count - 1; ++k) add(k - 1, k, k + 1);
-    add(n.count - 2, n.count - 1, 0);
+Change change_of_move(const Nodes& n) {
     Change sum;
-    for (int lane = 0; lane < lanes; ++lane) {
-        sum.area += area[lane];
-        sum.gradient2 += gradient2[lane];
-    }
+    for_each_node(n.count, [&](int before, int k, int next) {
+        const Vec2 u{n.ux[k], n.uy[k]}, u_next{n.ux[next], n.uy[next]};
+        const Vec2 g = gradient(n, before, next);
+        sum.area += dot(u, g) + 0.5 * cross(u, u_next);
+        sum.gradient2 += dot(g, g);
+    });
     return sum;
 }
 
-TT_CLONES void take_off(const Nodes nodes, double factor) {
-    const Nodes n = nodes;
-    for_each_node(n.count, [&](int before, int k, int next) TT_INLINE_LAMBDA {
+void take_off(const Nodes& n, double factor) {
+    for_each_node(n.count, [&](int before, int k, int next) {
         const Vec2 g = gradient(n, before, next);
         n.ux[k] -= factor * g.x;
         n.uy[k] -= factor * g.y;

@@ -52,6 +52,7 @@ Experiment crowded_shear(int threads) {
                             true,
                             true};
     m.membrane.area_stiffness = 1.0;
+    m.membrane.hold_area = true;
     m.contact.law = Morse{1e-4, 0.8, 2.0, true};
     m.contact.range = 6.0;
     m.shear_rate = 2e-3;
