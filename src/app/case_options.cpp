@@ -77,7 +77,8 @@ Time parse_time(std::string_view option, std::string_view text) {
     try {
         const Measure m = parse_measure(text);
         if (m.dimension == Time::dimension && m.si > 0.0) return Time{m.si};
-    } catch (const UnitError&) {}
+    } catch (const UnitError&) {
+    }
     throw CommandError(
         fmt::format("{} {} is not a time; write for example {} \"50 ms\"", option, text, option));
 }

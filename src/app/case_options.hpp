@@ -24,7 +24,8 @@ struct CaseOptions {
 /// Adds the case file, --set and -j.
 void add_case_options(CLI::App& verb, CaseOptions& options);
 
-/// Reads the case. Throws CaseError; IoError, with the file that was probably meant, if there is none.
+/// Reads the case. Throws CaseError; IoError, with the file that was probably meant, if there is
+/// none.
 Case read_given_case(const CaseOptions& options);
 
 /// Adds -j alone.

@@ -115,8 +115,7 @@ int run_command_line(int argc, const char* const* argv) {
     CLI::App app("", "tanktread");
     Action action;
     std::string command_line = "tanktread";
-    for (int i = 1; i < argc; ++i)
-        command_line += std::string(" ") + argv[i];
+    for (int i = 1; i < argc; ++i) command_line += std::string(" ") + argv[i];
     describe_program(app);
     add_new(app, action);
     add_check(app, action);

@@ -76,7 +76,8 @@ int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
                        "{} is finished, {} steps; --fresh begins anew and keeps it beside\n",
                        directory, outcome.steps);
             return exit_code::done;
-        case RunOutcome::Ending::stopped: break;
+        case RunOutcome::Ending::stopped:
+            break;
     }
     fmt::print(stderr, "next:  tanktread resume {}\n", directory);
     return exit_code::stopped_early;

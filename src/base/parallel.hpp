@@ -17,10 +17,11 @@ public:
 
     int size() const { return size_; }
 
-    /// Waits for all. A step has some twenty of these and takes a few tenths of a millisecond, so it
-    /// spins; but where the machine is busy with other work it soon goes to sleep, or a thread that
-    /// waits would keep the one it waits for from running. (To yield instead is not enough: the
-    /// scheduler may give the time to the other work, a slice of milliseconds at every barrier.)
+    /// Waits for all. A step has some twenty of these and takes a few tenths of a millisecond, so
+    /// it spins; but where the machine is busy with other work it soon goes to sleep, or a thread
+    /// that waits would keep the one it waits for from running. (To yield instead is not enough:
+    /// the scheduler may give the time to the other work, a slice of milliseconds at every
+    /// barrier.)
     void wait() {
         const unsigned generation = generation_.load(std::memory_order_acquire);
         if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {

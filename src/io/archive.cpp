@@ -16,11 +16,16 @@ constexpr char magic[16] = {'t', 'a', 'n', 'k',  't',  'r',  'e',  'a',
 
 std::size_t element_size(char code) {
     switch (code) {
-        case 'd': return sizeof(double);
-        case 'l': return sizeof(std::int64_t);
-        case 'i': return sizeof(std::int32_t);
-        case 'c': return 1;
-        default: return 0;
+        case 'd':
+            return sizeof(double);
+        case 'l':
+            return sizeof(std::int64_t);
+        case 'i':
+            return sizeof(std::int32_t);
+        case 'c':
+            return 1;
+        default:
+            return 0;
     }
 }
 

@@ -28,10 +28,14 @@ template <class T>
 constexpr char element_code() {
     static_assert(std::is_same_v<T, double> || std::is_same_v<T, std::int32_t> ||
                   std::is_same_v<T, std::int64_t> || std::is_same_v<T, char>);
-    if constexpr (std::is_same_v<T, double>) return 'd';
-    else if constexpr (std::is_same_v<T, std::int32_t>) return 'i';
-    else if constexpr (std::is_same_v<T, std::int64_t>) return 'l';
-    else return 'c';
+    if constexpr (std::is_same_v<T, double>)
+        return 'd';
+    else if constexpr (std::is_same_v<T, std::int32_t>)
+        return 'i';
+    else if constexpr (std::is_same_v<T, std::int64_t>)
+        return 'l';
+    else
+        return 'c';
 }
 
 /// Named arrays in one binary file: the magic word, then per section the length of its name (u32),

@@ -88,8 +88,10 @@ Table read_csv(const std::filesystem::path& path) {
         rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
         if (line.empty() || line.front() == '#') continue;
         if (end == std::string_view::npos && split(line).size() < table.names.size()) break;
-        if (table.names.empty()) read_header(line, table);
-        else read_row(line, fmt::format("{}:{}", path.string(), number), table);
+        if (table.names.empty())
+            read_header(line, table);
+        else
+            read_row(line, fmt::format("{}:{}", path.string(), number), table);
     }
     return table;
 }

@@ -77,9 +77,7 @@ bool is_merged(const fs::path& path) {
 }  // namespace
 
 FramesWriter::FramesWriter(fs::path directory, FramesHeader header, std::int64_t count)
-    : directory_(std::move(directory)),
-      header_(std::move(header)),
-      count_(count) {
+    : directory_(std::move(directory)), header_(std::move(header)), count_(count) {
     const fs::path folder = directory_ / "frames";
     const fs::path index = directory_ / "frames.h5";
     const fs::path merged = folder / "merged.h5";

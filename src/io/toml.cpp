@@ -54,8 +54,7 @@ TomlNode converted(const toml::node& node) {
         convert_table(*table, result);
     } else if (const auto* array = node.as_array()) {
         result.kind = Kind::array;
-        for (const toml::node& item : *array)
-            result.items.push_back(converted(item));
+        for (const toml::node& item : *array) result.items.push_back(converted(item));
     } else if (const auto* text = node.as_string()) {
         result.kind = Kind::string;
         result.text = text->get();
@@ -90,7 +89,9 @@ Attempt attempt(const std::string& text, const std::string& name) {
         const auto& where = error.source().begin;
         result.fault = {name, static_cast<int>(where.line), static_cast<int>(where.column),
                         std::string(error.description())};
-    } catch (const std::exception& error) { result.fault = {name, 0, 0, error.what()}; }
+    } catch (const std::exception& error) {
+        result.fault = {name, 0, 0, error.what()};
+    }
     return result;
 }
 

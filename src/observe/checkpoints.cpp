@@ -9,8 +9,7 @@
 namespace tt {
 
 Checkpoints::Checkpoints(const std::filesystem::path& results, std::string case_hash)
-    : folder_(results / "checkpoint"),
-      case_hash_(std::move(case_hash)) {}
+    : folder_(results / "checkpoint"), case_hash_(std::move(case_hash)) {}
 
 void Checkpoints::save(const State& state, const Observers& observers, double wall_seconds) {
     make_directory(folder_);

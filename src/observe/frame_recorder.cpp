@@ -68,10 +68,7 @@ FramesHeader frames_header(const Model& model, const State& state, const std::st
 
 FrameRecorder::FrameRecorder(const Schedule& schedule, const std::filesystem::path& directory,
                              FramesHeader header, std::function<void(const std::string&)> say)
-    : Observer(schedule),
-      directory_(directory),
-      header_(std::move(header)),
-      say_(std::move(say)) {}
+    : Observer(schedule), directory_(directory), header_(std::move(header)), say_(std::move(say)) {}
 
 void FrameRecorder::start() { writer_.emplace(directory_, header_, 0); }
 

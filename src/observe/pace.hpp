@@ -31,10 +31,7 @@ double mean_extension(const Suspension& cells);
 class Pace {
 public:
     explicit Pace(std::int64_t step)
-        : step_(step),
-          start_(Clock::now()),
-          last_(start_),
-          first_step_(step) {}
+        : step_(step), start_(Clock::now()), last_(start_), first_step_(step) {}
 
     void update(std::int64_t step);
     double steps_per_second() const { return rate_; }

@@ -35,9 +35,9 @@ std::string duration(double seconds) {
 std::string progress_line(const Standing& s) {
     const double percent =
         s.steps > 0 ? 100.0 * static_cast<double>(s.step) / static_cast<double>(s.steps) : 100.0;
-    std::string line = fmt::format("{:5.1f} %  {:.4g}/{:.4g} ms  {} steps/s  {} MLUPS", percent,
-                                   s.time * 1e3, s.end * 1e3, compact(s.steps_per_second),
-                                   compact(s.mlups));
+    std::string line =
+        fmt::format("{:5.1f} %  {:.4g}/{:.4g} ms  {} steps/s  {} MLUPS", percent, s.time * 1e3,
+                    s.end * 1e3, compact(s.steps_per_second), compact(s.mlups));
     if (s.cells > 0) line += fmt::format("  λ_C {:.3f}", s.lambda_C);
     return line + fmt::format("  {} left", duration(s.seconds_left));
 }
@@ -66,10 +66,14 @@ Progress::~Progress() {
 
 double Progress::interval() const {
     switch (mode_) {
-        case ProgressMode::bar: return 0.2;
-        case ProgressMode::json: return 1.0;
-        case ProgressMode::none: return std::numeric_limits<double>::infinity();
-        default: return 10.0;
+        case ProgressMode::bar:
+            return 0.2;
+        case ProgressMode::json:
+            return 1.0;
+        case ProgressMode::none:
+            return std::numeric_limits<double>::infinity();
+        default:
+            return 10.0;
     }
 }
 

@@ -134,8 +134,8 @@ void CaseRun::start(const std::function<State()>& initial) {
     record("running");
     replace_file(results_.path() / "case.toml", request_.case_toml, Durability::power);
     replace_file(results_.path() / "resolved.toml", request_.resolved_toml, Durability::power);
-    say(fmt::format("'{}': {} steps on {} x {} sites, {} cell{}, {} thread{}", request_.name, steps_,
-                    model_.lattice.nx, model_.lattice.ny, state_.cells.cell_count(),
+    say(fmt::format("'{}': {} steps on {} x {} sites, {} cell{}, {} thread{}", request_.name,
+                    steps_, model_.lattice.nx, model_.lattice.ny, state_.cells.cell_count(),
                     state_.cells.cell_count() == 1 ? "" : "s", model_.threads,
                     model_.threads == 1 ? "" : "s"));
     add_observers();

@@ -83,8 +83,8 @@ double largest_speed(const VectorField& velocity) {
 }
 
 /// Σ A / (length × width), and Σ A_c v_c / length over the flux.
-void measure_hematocrit(const Model& model, const State& state,
-                        std::span<const CellMeasures> cells, RunMeasures& m) {
+void measure_hematocrit(const Model& model, const State& state, std::span<const CellMeasures> cells,
+                        RunMeasures& m) {
     double area = 0.0, carried = 0.0;
     for (const CellMeasures& c : cells) {
         area += c.area.si;
@@ -196,8 +196,8 @@ RunMeasures measure_run(const Model& model, const State& state,
     m.mach = largest_speed(state.velocity) * std::numbers::sqrt3;
     m.overlaps = static_cast<std::int64_t>(find_overlaps(model.lattice, state.cells).size());
     m.repulsion_count = state.contact.repulsion_count;
-    m.smallest_gap = cells.empty() ? Length{undefined}
-                                   : model.scales.to_si<Length>(state.contact.smallest_gap);
+    m.smallest_gap =
+        cells.empty() ? Length{undefined} : model.scales.to_si<Length>(state.contact.smallest_gap);
     return m;
 }
 

@@ -5,8 +5,7 @@
 namespace tt {
 
 Series::Series(const Schedule& schedule, const std::filesystem::path& directory)
-    : Observer(schedule),
-      directory_(directory) {}
+    : Observer(schedule), directory_(directory) {}
 
 void Series::start() {
     series_.emplace(directory_ / "series.csv", OutputFile::Mode::append);

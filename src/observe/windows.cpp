@@ -60,8 +60,12 @@ CellStatistics cell_statistics(std::span<const double> table, int cells) {
         for (std::size_t c = 0; c < width; ++c) of_cell[c] += row[c];
     }
     for (double& sum : of_cell) sum = times == 0 ? undefined : sum / static_cast<double>(times);
-    return {static_cast<std::int64_t>(times), mean_of(of_time), sd_of(of_cell), sd_of(of_time),
-            sd_of(table), standard_error(of_time)};
+    return {static_cast<std::int64_t>(times),
+            mean_of(of_time),
+            sd_of(of_cell),
+            sd_of(of_time),
+            sd_of(table),
+            standard_error(of_time)};
 }
 
 double tank_treading_kT(Rate shear_rate, Rate mean_phase_rate) {

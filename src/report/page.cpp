@@ -107,7 +107,8 @@ std::string repeat_section(std::span<const Results> runs) {
 std::string introduction(std::span<const Results> runs, const std::vector<std::string>& labels) {
     std::string text;
     for (std::size_t r = 0; r < runs.size(); ++r) {
-        const std::string name = runs.size() == 1 ? "" : fmt::format("<b>{}</b>: ", html(labels[r]));
+        const std::string name =
+            runs.size() == 1 ? "" : fmt::format("<b>{}</b>: ", html(labels[r]));
         text += "<p>" + name + html(case_in_words(runs[r])) + "</p>\n";
         const std::string note = unfinished_note(runs[r]);
         if (!note.empty()) text += "<p class=\"notice\">" + name + html(note) + "</p>\n";
@@ -157,7 +158,8 @@ std::string report_page(std::span<const Results> runs, const std::vector<Figure>
     page += "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n";
     page += introduction(runs, labels) + player_section(data["players"]);
     page += checks_section(runs, labels) + summary_section(runs, labels);
-    page += figures_section(figures, figures_folder, runs.size() == 1 ? left_out_note(figures) : "");
+    page +=
+        figures_section(figures, figures_folder, runs.size() == 1 ? left_out_note(figures) : "");
     page.append(assets::charts_markup);
     page += repeat_section(runs) + provenance_section(runs, labels);
     page += fmt::format(

@@ -128,9 +128,7 @@ std::optional<Instability> crossings(const Model& model, const State& state) {
 }  // namespace
 
 Health::Health(const HealthLimits& limits, const State& state)
-    : limits_(limits),
-      x_(state.cells.x),
-      y_(state.cells.y) {}
+    : limits_(limits), x_(state.cells.x), y_(state.cells.y) {}
 
 std::optional<Instability> Health::node_steps(const Model& model, const State& state) {
     const Suspension& cells = state.cells;

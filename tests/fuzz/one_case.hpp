@@ -16,14 +16,17 @@ inline void try_as_case(std::string_view text) {
     try {
         const Case c = parse_case(text, "fuzz.toml");
         if (parse_case(to_toml(c), "fuzz.toml") != c) __builtin_trap();
-    } catch (const CaseError&) {}
+    } catch (const CaseError&) {
+    }
     try {
         const Measure m = parse_measure(text.substr(0, 64));
         if (parse_measure(to_text(m.si, m.dimension)).si != m.si) __builtin_trap();
-    } catch (const UnitError&) {}
+    } catch (const UnitError&) {
+    }
     try {
         parse_case("", "fuzz.toml", {std::string(text.substr(0, 256))});
-    } catch (const CaseError&) {}
+    } catch (const CaseError&) {
+    }
 }
 
 }  // namespace tt

@@ -25,8 +25,7 @@ struct ShortenedCase {
     Periodic ends;
 
     ShortenedCase(const std::string& name, const std::vector<std::string>& changes)
-        : ShortenedCase(
-              read_case(TT_SOURCE_DIR "/cases/" + name + "/case.toml", changes)) {}
+        : ShortenedCase(read_case(TT_SOURCE_DIR "/cases/" + name + "/case.toml", changes)) {}
     explicit ShortenedCase(const Case& c) : model(discretise(c)), state(initial_state(c, model)) {}
 
     /// Until this time [s].
@@ -56,8 +55,8 @@ TEST(ShortenedCases, poiseuille_settles_to_the_parabola_of_the_nominal_rate) {
     c.until(0.6e-3);
     const double height = c.model.lattice.ny;
     const double mean = 50.0 * 20e-6 * c.model.scales.time / c.model.scales.length;
-    const double error = c.profile_error(
-        [&](double y) { return 6.0 * mean * (y / height) * (1.0 - y / height); });
+    const double error =
+        c.profile_error([&](double y) { return 6.0 * mean * (y / height) * (1.0 - y / height); });
     fmt::print("01-poiseuille, 20 sites, {} steps: error {:.1e}\n", c.state.step, error);
     EXPECT_LT(error, 1e-6);
 }

@@ -48,9 +48,13 @@ TEST(ChannelFlow, poiseuille_slips_at_the_walls_by_the_closed_form_in_the_magic_
         flow.body_force.x = 1e-4;
         flow.run_to_rest();
         const double slip = flow.body_force.x * (16.0 * magic - 3.0) / (24.0 * viscosity);
-        EXPECT_LT(profile_error(flow, [&](double y) {
-                      return analytic::poiseuille(y, 10.0, viscosity, flow.body_force.x) + slip;
-                  }), 1e-12) << magic;
+        EXPECT_LT(profile_error(
+                      flow,
+                      [&](double y) {
+                          return analytic::poiseuille(y, 10.0, viscosity, flow.body_force.x) + slip;
+                      }),
+                  1e-12)
+            << magic;
     }
 }
 
@@ -79,9 +83,11 @@ TEST(ChannelFlow, couette_of_two_layers_that_meet_half_way_between_sites_is_exac
         Flow flow = two_layers(12, 5, 0.1, 0.5, collision);
         flow.boundaries.top_speed = 0.04;
         flow.run_to_rest();
-        EXPECT_LT(profile_error(flow, [](double y) {
-                      return analytic::couette(y, {12.0, 5.0, 0.1, 0.5}, 0.04);
-                  }), 1e-12);
+        EXPECT_LT(profile_error(flow,
+                                [](double y) {
+                                    return analytic::couette(y, {12.0, 5.0, 0.1, 0.5}, 0.04);
+                                }),
+                  1e-12);
     }
 }
 

@@ -22,9 +22,7 @@ class FaultyExchange : public Periodic {
 public:
     using Fault = std::function<void(State&)>;
     FaultyExchange(State& state, std::int64_t step, Fault fault)
-        : state_(state),
-          step_(step),
-          fault_(std::move(fault)) {}
+        : state_(state), step_(step), fault_(std::move(fault)) {}
 
     using Periodic::fill;
     using Periodic::fold;

@@ -27,7 +27,9 @@ std::string content(const fs::path& path) {
 std::string faults_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
     try {
         tt::parse_case(text, "case.toml", overrides);
-    } catch (const tt::CaseError& error) { return error.what(); }
+    } catch (const tt::CaseError& error) {
+        return error.what();
+    }
     return "none";
 }
 
@@ -204,8 +206,7 @@ TEST(CaseFile, no_text_crashes_the_reader) {
                                          "[domain]\nlength=\"\\u00b5m\"",
                                          "cells = {count = 1}",
                                          "x = 1 # \xff"};
-    for (const std::string& text : texts)
-        EXPECT_NE(faults_of(text), "none") << text;
+    for (const std::string& text : texts) EXPECT_NE(faults_of(text), "none") << text;
     EXPECT_NE(faults_of(std::string(2000000, 'x')).find("has 2 MB"), std::string::npos);
 }
 

@@ -26,8 +26,7 @@ struct Outcome {
 
 Outcome run(std::vector<std::string> words) {
     std::vector<const char*> arguments{"tanktread"};
-    for (const std::string& word : words)
-        arguments.push_back(word.c_str());
+    for (const std::string& word : words) arguments.push_back(word.c_str());
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     Outcome outcome;
@@ -41,8 +40,7 @@ Outcome run(std::vector<std::string> words) {
 std::size_t longest_line(const std::string& text) {
     std::istringstream lines(text);
     std::size_t longest = 0;
-    for (std::string line; std::getline(lines, line);)
-        longest = std::max(longest, line.size());
+    for (std::string line; std::getline(lines, line);) longest = std::max(longest, line.size());
     return longest;
 }
 

@@ -15,7 +15,9 @@ double si(const char* text) { return parse_measure(text).si; }
 std::string complaint(const char* text) {
     try {
         parse_measure(text);
-    } catch (const tt::UnitError& error) { return error.what(); }
+    } catch (const tt::UnitError& error) {
+        return error.what();
+    }
     return "none";
 }
 
