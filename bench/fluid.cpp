@@ -26,8 +26,8 @@ struct Flow {
     Relaxation relaxation;
     Populations populations;
 
-    explicit Flow(const Lattice& lattice)
-        : force(lattice), velocity(lattice), relaxation(lattice), populations(lattice) {
+    explicit Flow(const Lattice& lattice, Precision precision)
+        : force(lattice), velocity(lattice), relaxation(lattice), populations(lattice, precision) {
         Random random(1);
         for (int j = 0; j < lattice.ny; ++j) {
             for (int i = 0; i < lattice.nx; ++i) {
@@ -40,41 +40,51 @@ struct Flow {
     }
 };
 
-TT_CLONES void update_row(int count, double* const* plane, const double* force_x,
-                          const double* force_y, const double* even, const double* odd,
-                          double* velocity_x, double* velocity_y) {
-    double* const p0 = plane[0];
-    double* const p1 = plane[1];
-    double* const p2 = plane[2];
-    double* const p3 = plane[3];
-    double* const p4 = plane[4];
-    double* const p5 = plane[5];
-    double* const p6 = plane[6];
-    double* const p7 = plane[7];
-    double* const p8 = plane[8];
+template <class Real>
+struct RowOfArrays {
+    Real* plane[d2q9::count];
+    const double *force_x, *force_y, *even, *odd;
+    double *velocity_x, *velocity_y;
+};
+
+template <class Real>
+TT_INLINE void update(const RowOfArrays<Real>& row, int count) {
+    const auto [p0, p1, p2, p3, p4, p5, p6, p7, p8] = row.plane;
+    const auto [plane, force_x, force_y, even, odd, velocity_x, velocity_y] = row;
+    const auto scale = [](Real& f, double by) { f = static_cast<Real>(f * by); };
 #pragma omp simd
     for (int i = 0; i < count; ++i) {
         const double a = even[i];
         const double b = odd[i];
         velocity_x[i] = a * force_x[i];
         velocity_y[i] = b * force_y[i];
-        p0[i] *= a, p1[i] *= b, p2[i] *= a, p3[i] *= b, p4[i] *= a, p5[i] *= b, p6[i] *= a,
-            p7[i] *= b, p8[i] *= a;
+        scale(p0[i], a), scale(p1[i], b), scale(p2[i], a), scale(p3[i], b), scale(p4[i], a);
+        scale(p5[i], b), scale(p6[i], a), scale(p7[i], b), scale(p8[i], a);
     }
 }
+
+TT_CLONES void update_row(const RowOfArrays<double>& row, int count) { update(row, count); }
+TT_CLONES void update_row(const RowOfArrays<float>& row, int count) { update(row, count); }
 
 /// Two updates of everything the pass touches.
 void update_twice(Flow& flow) {
     const Lattice& lattice = flow.populations.lattice();
     const auto [begin, end] = team_share(lattice.ny);
     for (int pass = 0; pass < 2; ++pass) {
-        for (int j = begin; j < end; ++j) {
-            double* plane[d2q9::count];
-            for (int k = 0; k < d2q9::count; ++k) plane[k] = flow.populations.row(k, j);
-            update_row(lattice.nx, plane, flow.force.x.row(j), flow.force.y.row(j),
-                       flow.relaxation.even.row(j), flow.relaxation.odd.row(j),
-                       flow.velocity.x.row(j), flow.velocity.y.row(j));
-        }
+        flow.populations.visit([&]<class Real>(Real* numbers) {
+            for (int j = begin; j < end; ++j) {
+                RowOfArrays<Real> row{{},
+                                      flow.force.x.row(j),
+                                      flow.force.y.row(j),
+                                      flow.relaxation.even.row(j),
+                                      flow.relaxation.odd.row(j),
+                                      flow.velocity.x.row(j),
+                                      flow.velocity.y.row(j)};
+                for (int k = 0; k < d2q9::count; ++k)
+                    row.plane[k] = numbers + flow.populations.row(k, j);
+                update_row(row, lattice.nx);
+            }
+        });
         team_barrier();
     }
 }
@@ -96,7 +106,7 @@ private:
     double seconds_ = 1e300;
 };
 
-template <class AnEquilibrium>
+template <class AnEquilibrium, Precision precision = Precision::fp64>
 void fluid_pass(benchmark::State& state) {
     const Lattice lattice{static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), true};
     const int threads = static_cast<int>(state.range(2));
@@ -104,8 +114,8 @@ void fluid_pass(benchmark::State& state) {
     const Boundaries boundaries{-0.01, 0.01, 0.0};
     const long long sites = static_cast<long long>(lattice.nx) * lattice.ny;
     const int pairs = static_cast<int>(std::max(1LL, 80'000 / sites));
-    Flow flow(lattice);
-    Flow roof(lattice);
+    Flow flow(lattice, precision);
+    Flow roof(lattice, precision);
     roof.relaxation = Relaxation(lattice);  // rates of one: values stay as they are
     Periodic exchange;
     Best pass_time;
@@ -144,5 +154,7 @@ void sizes(benchmark::internal::Benchmark* b) {
 BENCHMARK(fluid_pass<LinearEquilibrium>)->Apply(sizes);
 BENCHMARK(fluid_pass<IncompressibleEquilibrium>)->Apply(sizes);
 BENCHMARK(fluid_pass<FullEquilibrium>)->Apply(sizes);
+BENCHMARK(fluid_pass<LinearEquilibrium, Precision::fp32>)->Apply(sizes);
+BENCHMARK(fluid_pass<IncompressibleEquilibrium, Precision::fp32>)->Apply(sizes);
 
 }  // namespace

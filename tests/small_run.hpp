@@ -47,7 +47,7 @@ inline State small_state(const Model& model) {
     State state;
     add_cell(state.cells, circle({9.3, 11.6}, 4.4, 36));
     add_cell(state.cells, circle({24.8, 13.1}, 3.9, 32));
-    state.populations = Populations(model.lattice);
+    state.populations = Populations(model.lattice, model.precision);
     derive(model, state);
     return state;
 }

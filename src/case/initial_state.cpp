@@ -162,7 +162,7 @@ VectorField undisturbed_flow(const Model& m) {
 
 State initial_state(const Case& c, const Model& model) {
     State state;
-    state.populations = Populations(model.lattice);
+    state.populations = Populations(model.lattice, model.precision);
     state.cells = suspended_cells(c, model);
     state.drive.body_force = model.drive.body_force;
     // Nothing is nearer than the reach of the contact forces; without them gaps are not measured.

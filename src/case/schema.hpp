@@ -313,6 +313,10 @@ struct FieldList<NumericsCase> {
                    "linear is Stokes flow; incompressible and full (Eq. 2) keep inertia; auto: "
                    "incompressible where the flow carries cells along, else linear",
                    any_value, "auto|linear|incompressible|full"},
+        FieldEntry{"precision", &T::precision,
+                   "of the lattice populations: single takes half the memory and traffic; "
+                   "membranes are in double either way",
+                   any_value, "double|single"},
         FieldEntry{"delta", &T::delta, "kernel between sites and nodes (Eq. 8 is cosine4)",
                    any_value, "cosine4|hat2|roma3|peskin4"},
         FieldEntry{"interior", &T::interior, "how the sites inside a cell are found", any_value,

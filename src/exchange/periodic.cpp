@@ -87,18 +87,24 @@ void fold_rows(Field& field) {
 }  // namespace
 
 void Periodic::fill(Populations& populations) {
-    for_each_halo_run(
-        populations.lattice(), [&](int i, int x, int y, int home_x, int home_y, int length) {
-            std::copy_n(populations.row(i, home_y) + home_x, length, populations.row(i, y) + x);
-        });
+    populations.visit([&](auto* f) {
+        for_each_halo_run(populations.lattice(),
+                          [&](int i, int x, int y, int home_x, int home_y, int length) {
+                              std::copy_n(f + populations.row(i, home_y) + home_x, length,
+                                          f + populations.row(i, y) + x);
+                          });
+    });
     team_barrier();
 }
 
 void Periodic::fold(Populations& populations) {
-    for_each_halo_run(
-        populations.lattice(), [&](int i, int x, int y, int home_x, int home_y, int length) {
-            std::copy_n(populations.row(i, y) + x, length, populations.row(i, home_y) + home_x);
-        });
+    populations.visit([&](auto* f) {
+        for_each_halo_run(populations.lattice(),
+                          [&](int i, int x, int y, int home_x, int home_y, int length) {
+                              std::copy_n(f + populations.row(i, y) + x, length,
+                                          f + populations.row(i, home_y) + home_x);
+                          });
+    });
     team_barrier();
 }
 

@@ -9,9 +9,11 @@ void drag(Populations& populations, int j, int dy, double speed) {
     for (int i = 5; i < d2q9::count; ++i) {
         if (d2q9::cy[i] != -dy) continue;
         const double gain = 2.0 * d2q9::weight[i] * d2q9::cx[i] * speed / d2q9::sound_speed_squared;
-        double* const returning = populations.arrivals(i, j);
+        populations.visit([&]<class Real>(Real* numbers) {
+            Real* const returning = numbers + populations.arrivals(i, j);
 #pragma omp simd
-        for (int x = 0; x < nx; ++x) returning[x] += gain;
+            for (int x = 0; x < nx; ++x) returning[x] = static_cast<Real>(returning[x] + gain);
+        });
     }
 }
 
@@ -22,7 +24,11 @@ void drop_pressure(Populations& populations, int j, double pressure_drop) {
     for (int i = 1; i < d2q9::count; ++i) {
         if (d2q9::cx[i] == 0 || populations.wall_between(j, d2q9::cy[i])) continue;
         const int x = d2q9::cx[i] > 0 ? outlet : 0;
-        populations.departures(i, j)[x] += d2q9::cx[i] * d2q9::weight[i] * density_drop;
+        const double gain = d2q9::cx[i] * d2q9::weight[i] * density_drop;
+        populations.visit([&]<class Real>(Real* numbers) {
+            Real& departing = numbers[populations.departures(i, j) + x];
+            departing = static_cast<Real>(departing + gain);
+        });
     }
 }
 

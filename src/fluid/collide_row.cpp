@@ -2,13 +2,23 @@
 
 namespace tt {
 
-TT_CLONES void collide_row(LinearEquilibrium, const RowOfSites& row) {
+// A function that the loader picks by processor cannot be a template: one line per instance.
+TT_CLONES void collide_row(LinearEquilibrium, const RowOfSites<double>& row) {
     collide_row_with<LinearEquilibrium>(row);
 }
-TT_CLONES void collide_row(IncompressibleEquilibrium, const RowOfSites& row) {
+TT_CLONES void collide_row(LinearEquilibrium, const RowOfSites<float>& row) {
+    collide_row_with<LinearEquilibrium>(row);
+}
+TT_CLONES void collide_row(IncompressibleEquilibrium, const RowOfSites<double>& row) {
     collide_row_with<IncompressibleEquilibrium>(row);
 }
-TT_CLONES void collide_row(FullEquilibrium, const RowOfSites& row) {
+TT_CLONES void collide_row(IncompressibleEquilibrium, const RowOfSites<float>& row) {
+    collide_row_with<IncompressibleEquilibrium>(row);
+}
+TT_CLONES void collide_row(FullEquilibrium, const RowOfSites<double>& row) {
+    collide_row_with<FullEquilibrium>(row);
+}
+TT_CLONES void collide_row(FullEquilibrium, const RowOfSites<float>& row) {
     collide_row_with<FullEquilibrium>(row);
 }
 

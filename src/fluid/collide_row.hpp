@@ -13,10 +13,12 @@
 
 namespace tt {
 
-/// One row of sites as the collision sees it: pointers to the first of `count` sites.
+/// One row of sites as the collision sees it: pointers to the first of `count` sites. `Real` is
+/// what populations are, double or float.
+template <class Real>
 struct RowOfSites {
     int count;
-    std::array<double*, d2q9::count> at;  ///< Populations::arrivals
+    std::array<Real*, d2q9::count> at;  ///< Populations::arrivals
     const double* force_x;
     const double* force_y;
     Vec2 body_force;
@@ -65,40 +67,42 @@ struct UniformRates {
 ///     e_i = ω⁺ δρ + 9/2 (c_i·u)(c_i·v) − 3/2 u·v.
 ///
 /// The populations departing stand where those arriving stood: g_i in the place of f_ī.
-template <class AnEquilibrium, bool near_membranes, class RatesOfSites>
-TT_INLINE void collide_sites(const RowOfSites& row, const RatesOfSites& rates, int begin, int end) {
+template <class AnEquilibrium, bool near_membranes, class Real, class RatesOfSites>
+TT_INLINE void collide_sites(const RowOfSites<Real>& row, const RatesOfSites& rates, int begin,
+                             int end) {
     constexpr bool linear = std::is_same_v<AnEquilibrium, LinearEquilibrium>;
     constexpr bool full = std::is_same_v<AnEquilibrium, FullEquilibrium>;
-    constexpr double w_rest = d2q9::weight[0];
-    constexpr double w_axis = d2q9::weight[1];
-    constexpr double w_diagonal = d2q9::weight[5];
+    constexpr Real w_rest = d2q9::weight[0];
+    constexpr Real w_axis = d2q9::weight[1];
+    constexpr Real w_diagonal = d2q9::weight[5];
+    constexpr Real one = 1, two = 2, half = 0.5, third = 1.0 / 3.0, nine_halves = 4.5;
     const auto [f0, f1, f2, f3, f4, f5, f6, f7, f8] = row.at;
     const double* const force_x = row.force_x;
     const double* const force_y = row.force_y;
     double* const velocity_x = row.velocity_x;
     double* const velocity_y = row.velocity_y;
-    const Vec2 body_force = row.body_force;
+    const Real body_x = row.body_force.x, body_y = row.body_force.y;
 
 #pragma omp simd
     for (int i = begin; i < end; ++i) {
         // The pairs along x, y, the rising diagonal (1, 1) and the falling one (−1, 1).
-        const double rest = f0[i];
-        const double sum_x = f1[i] + f3[i], difference_x = f1[i] - f3[i];
-        const double sum_y = f2[i] + f4[i], difference_y = f2[i] - f4[i];
-        const double sum_r = f5[i] + f7[i], difference_r = f5[i] - f7[i];
-        const double sum_f = f6[i] + f8[i], difference_f = f6[i] - f8[i];
+        const Real rest = f0[i];
+        const Real sum_x = f1[i] + f3[i], difference_x = f1[i] - f3[i];
+        const Real sum_y = f2[i] + f4[i], difference_y = f2[i] - f4[i];
+        const Real sum_r = f5[i] + f7[i], difference_r = f5[i] - f7[i];
+        const Real sum_f = f6[i] + f8[i], difference_f = f6[i] - f8[i];
 
-        const double density_deviation = rest + ((sum_x + sum_y) + (sum_r + sum_f));
-        const double flux_x = difference_x + (difference_r - difference_f);
-        const double flux_y = difference_y + (difference_r + difference_f);
-        const double fx = (near_membranes ? force_x[i] : 0.0) + body_force.x;
-        const double fy = (near_membranes ? force_y[i] : 0.0) + body_force.y;
-        const double momentum_x = flux_x + 0.5 * fx;
-        const double momentum_y = flux_y + 0.5 * fy;
-        double ux = momentum_x;
-        double uy = momentum_y;
+        const Real density_deviation = rest + ((sum_x + sum_y) + (sum_r + sum_f));
+        const Real flux_x = difference_x + (difference_r - difference_f);
+        const Real flux_y = difference_y + (difference_r + difference_f);
+        const Real fx = (near_membranes ? Real(force_x[i]) : Real{}) + body_x;
+        const Real fy = (near_membranes ? Real(force_y[i]) : Real{}) + body_y;
+        const Real momentum_x = flux_x + half * fx;
+        const Real momentum_y = flux_y + half * fy;
+        Real ux = momentum_x;
+        Real uy = momentum_y;
         if constexpr (full) {
-            const double volume = 1.0 / (1.0 + density_deviation);
+            const Real volume = one / (one + density_deviation);
             ux *= volume;
             uy *= volume;
         }
@@ -107,33 +111,33 @@ TT_INLINE void collide_sites(const RowOfSites& row, const RatesOfSites& rates, i
             velocity_y[i] = uy;
         }
 
-        const double even = rates.even_at(i);
-        const double keep_even = 0.5 - 0.5 * even;
-        const double e = even * density_deviation;
-        double e_rest = e, e_x = e, e_y = e, e_r = e, e_f = e;
+        const Real even = Real(rates.even_at(i));
+        const Real keep_even = half - half * even;
+        const Real e = even * density_deviation;
+        Real e_rest = e, e_x = e, e_y = e, e_r = e, e_f = e;
         if constexpr (!linear) {
-            const double vx = even * momentum_x + (2.0 - even) * fx;
-            const double vy = even * momentum_y + (2.0 - even) * fy;
-            const double xx = 4.5 * (ux * vx);
-            const double yy = 4.5 * (uy * vy);
-            const double xy = 4.5 * (ux * vy + uy * vx);
-            e_rest = e - (1.0 / 3.0) * (xx + yy);
+            const Real vx = even * momentum_x + (two - even) * fx;
+            const Real vy = even * momentum_y + (two - even) * fy;
+            const Real xx = nine_halves * (ux * vx);
+            const Real yy = nine_halves * (uy * vy);
+            const Real xy = nine_halves * (ux * vy + uy * vx);
+            e_rest = e - third * (xx + yy);
             e_x = e_rest + xx;
             e_y = e_rest + yy;
             e_r = e_rest + (xx + yy) + xy;
             e_f = e_rest + (xx + yy) - xy;
         }
-        const double odd = rates.odd_at(i);
-        const double keep_odd = 0.5 - 0.5 * odd;
-        const double push_x = (3.0 * w_axis) * (odd * flux_x + fx);
-        const double push_y = (3.0 * w_axis) * (odd * flux_y + fy);
-        constexpr double diagonal_to_axis = w_diagonal / w_axis;
+        const Real odd = Real(rates.odd_at(i));
+        const Real keep_odd = half - half * odd;
+        const Real push_x = (3 * w_axis) * (odd * flux_x + fx);
+        const Real push_y = (3 * w_axis) * (odd * flux_y + fy);
+        constexpr Real diagonal_to_axis = w_diagonal / w_axis;
 
-        const auto depart = [i](double* forth, double* back, double even_part, double odd_part) {
+        const auto depart = [i](Real* forth, Real* back, Real even_part, Real odd_part) {
             back[i] = even_part + odd_part;
             forth[i] = even_part - odd_part;
         };
-        f0[i] = (1.0 - even) * rest + w_rest * e_rest;
+        f0[i] = (one - even) * rest + w_rest * e_rest;
         depart(f1, f3, keep_even * sum_x + w_axis * e_x, keep_odd * difference_x + push_x);
         depart(f2, f4, keep_even * sum_y + w_axis * e_y, keep_odd * difference_y + push_y);
         depart(f5, f7, keep_even * sum_r + w_diagonal * e_r,
@@ -144,8 +148,8 @@ TT_INLINE void collide_sites(const RowOfSites& row, const RatesOfSites& rates, i
 }
 
 /// Collides a row in place.
-template <class AnEquilibrium>
-TT_INLINE void collide_row_with(const RowOfSites& row) {
+template <class AnEquilibrium, class Real>
+TT_INLINE void collide_row_with(const RowOfSites<Real>& row) {
     constexpr int width = SiteBlocks::width;
     const RatesPerSite per_site{row.even, row.odd};
     if (!row.near_membranes) return collide_sites<AnEquilibrium, true>(row, per_site, 0, row.count);
@@ -166,8 +170,11 @@ TT_INLINE void collide_row_with(const RowOfSites& row) {
 }
 
 /// `collide_row_with`, compiled for each level of the instruction set.
-void collide_row(LinearEquilibrium, const RowOfSites& row);
-void collide_row(IncompressibleEquilibrium, const RowOfSites& row);
-void collide_row(FullEquilibrium, const RowOfSites& row);
+void collide_row(LinearEquilibrium, const RowOfSites<double>& row);
+void collide_row(LinearEquilibrium, const RowOfSites<float>& row);
+void collide_row(IncompressibleEquilibrium, const RowOfSites<double>& row);
+void collide_row(IncompressibleEquilibrium, const RowOfSites<float>& row);
+void collide_row(FullEquilibrium, const RowOfSites<double>& row);
+void collide_row(FullEquilibrium, const RowOfSites<float>& row);
 
 }  // namespace tt

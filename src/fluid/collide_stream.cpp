@@ -13,28 +13,30 @@ void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& bounda
     const Lattice& lattice = populations.lattice();
     TT_EXPECTS(force.x.lattice() == lattice && velocity.x.lattice() == lattice);
     TT_EXPECTS(relaxation.even.lattice() == lattice && relaxation.odd.lattice() == lattice);
-    RowOfSites row{};
-    row.count = lattice.nx;
-    row.body_force = body_force;
-    row.rates_of_kind = relaxation.rates_of_kind.data();
-    const auto [begin, end] = team_share(lattice.ny);
-    // Upwards and downwards in turn: the rows of the end of one pass, still in the cache, are the
-    // first of the next. The order of sites does not matter to an update in place.
-    const bool upwards = populations.phase == Populations::Phase::even;
-    for (int n = 0; n < end - begin; ++n) {
-        const int j = upwards ? begin + n : end - 1 - n;
-        for (int i = 0; i < d2q9::count; ++i) row.at[i] = populations.arrivals(i, j);
-        row.force_x = force.x.row(j);
-        row.force_y = force.y.row(j);
-        row.even = relaxation.even.row(j);
-        row.odd = relaxation.odd.row(j);
-        row.kind = relaxation.kind.row(j);
-        row.velocity_x = velocity.x.row(j);
-        row.velocity_y = velocity.y.row(j);
-        row.near_membranes = near_membranes ? near_membranes->row(j) : nullptr;
-        std::visit([&](auto kind) { collide_row(kind, row); }, equilibrium);
-        finish_departures(boundaries, populations, j);
-    }
+    populations.visit([&]<class Real>(Real* numbers) {
+        RowOfSites<Real> row{};
+        row.count = lattice.nx;
+        row.body_force = body_force;
+        row.rates_of_kind = relaxation.rates_of_kind.data();
+        const auto [begin, end] = team_share(lattice.ny);
+        // Upwards and downwards in turn: the rows of the end of one pass, still in the cache, are
+        // the first of the next. The order of sites does not matter to an update in place.
+        const bool upwards = populations.phase == Populations::Phase::even;
+        for (int n = 0; n < end - begin; ++n) {
+            const int j = upwards ? begin + n : end - 1 - n;
+            for (int i = 0; i < d2q9::count; ++i) row.at[i] = numbers + populations.arrivals(i, j);
+            row.force_x = force.x.row(j);
+            row.force_y = force.y.row(j);
+            row.even = relaxation.even.row(j);
+            row.odd = relaxation.odd.row(j);
+            row.kind = relaxation.kind.row(j);
+            row.velocity_x = velocity.x.row(j);
+            row.velocity_y = velocity.y.row(j);
+            row.near_membranes = near_membranes ? near_membranes->row(j) : nullptr;
+            std::visit([&](auto kind) { collide_row(kind, row); }, equilibrium);
+            finish_departures(boundaries, populations, j);
+        }
+    });
     team_barrier();
 }
 

@@ -64,14 +64,14 @@ void stream(const Boundaries& boundaries, const Nine& g, int x, int y, Populatio
         const int to_y = y + d2q9::cy[i];
         if (next.wall_between(y, d2q9::cy[i])) {
             const double wall_speed = to_y < 0 ? boundaries.bottom_speed : boundaries.top_speed;
-            next.slot(d2q9::opposite[i], x, y) =
-                g[i] - 6.0 * d2q9::weight[i] * along(i, {wall_speed, 0.0});
+            next.set_slot(d2q9::opposite[i], x, y,
+                          g[i] - 6.0 * d2q9::weight[i] * along(i, {wall_speed, 0.0}));
             continue;
         }
         double gain = 0.0;
         if (to_x == lattice.nx) gain = d2q9::weight[i] * 3.0 * boundaries.pressure_drop;
         if (to_x == -1) gain = -d2q9::weight[i] * 3.0 * boundaries.pressure_drop;
-        next.slot(i, wrapped(to_x, lattice.nx), wrapped(to_y, lattice.ny)) = g[i] + gain;
+        next.set_slot(i, wrapped(to_x, lattice.nx), wrapped(to_y, lattice.ny), g[i] + gain);
     }
 }
 
@@ -82,7 +82,7 @@ void collide_and_stream_reference(const Equilibrium& equilibrium, const Boundari
                                   const Relaxation& relaxation, Populations& populations,
                                   VectorField& velocity) {
     const Lattice& lattice = populations.lattice();
-    Populations next(lattice);
+    Populations next(lattice, populations.precision());
     for (int y = 0; y < lattice.ny; ++y) {
         for (int x = 0; x < lattice.nx; ++x) {
             const Nine f = arriving_at(populations, x, y);

@@ -24,7 +24,7 @@ void set_equilibrium(const Equilibrium& equilibrium, const VectorField& velocity
             for (int k = 0; k < d2q9::count; ++k) {
                 for (int j = 0; j < lattice.ny; ++j) {
                     for (int i = 0; i < lattice.nx; ++i) {
-                        populations.slot(k, i, j) = population(kind, k, 0.0, velocity(i, j));
+                        populations.set_slot(k, i, j, population(kind, k, 0.0, velocity(i, j)));
                     }
                 }
             }

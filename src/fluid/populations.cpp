@@ -3,40 +3,31 @@
 namespace tt {
 namespace {
 
-constexpr std::size_t doubles_per_page = 512;
-constexpr std::size_t doubles_per_line = 8;
+constexpr std::size_t page = 4096;
+constexpr std::size_t line = 64;
 /// Lines by which one plane is shifted against the one before it, modulo a page. Nine planes that
 /// start at the same offset of a 4 KiB page would share the sets of the first-level cache and stall
 /// loads behind unrelated stores; seven lines spread them over the 64 lines of a page.
 constexpr std::size_t stagger_lines = 7;
 
-std::size_t plane_pitch(const Lattice& lattice) {
-    const std::size_t pages = (lattice.size() + doubles_per_page - 1) / doubles_per_page;
-    return pages * doubles_per_page + stagger_lines * doubles_per_line;
+/// From one plane to the next, in numbers of `size` bytes.
+std::size_t plane_pitch(const Lattice& lattice, std::size_t size) {
+    const std::size_t pages = (lattice.size() * size + page - 1) / page;
+    return (pages * page + stagger_lines * line) / size;
 }
 
 }  // namespace
 
-Populations::Populations(const Lattice& lattice)
-    : lattice_(lattice), storage_(d2q9::count * plane_pitch(lattice), 0.0) {
-    place_planes();
-}
-
-Populations::Populations(const Populations& other)
-    : phase(other.phase), lattice_(other.lattice_), storage_(other.storage_) {
-    place_planes();
-}
-
-Populations& Populations::operator=(const Populations& other) {
-    phase = other.phase;
-    lattice_ = other.lattice_;
-    storage_ = other.storage_;
-    place_planes();
-    return *this;
-}
-
-void Populations::place_planes() {
-    for (int i = 0; i < d2q9::count; ++i) plane_[i] = storage_.data() + i * plane_pitch(lattice_);
+Populations::Populations(const Lattice& lattice, Precision precision)
+    : lattice_(lattice),
+      plane_pitch_(
+          plane_pitch(lattice, precision == Precision::fp64 ? sizeof(double) : sizeof(float))) {
+    const std::size_t count = d2q9::count * plane_pitch_;
+    if (precision == Precision::fp64) {
+        numbers_.emplace<Numbers<double>>(count, 0.0);
+    } else {
+        numbers_.emplace<Numbers<float>>(count, 0.0F);
+    }
 }
 
 }  // namespace tt

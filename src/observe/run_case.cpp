@@ -80,6 +80,7 @@ private:
     Observers observers_;
     std::optional<Health> health_;
     std::optional<Pace> pace_;
+    StepTimes step_times_;
     Session session_;
     double earlier_seconds_ = 0.0;
     Duty status_duty_, progress_duty_, checkpoint_duty_, time_limit_;
@@ -220,7 +221,7 @@ void CaseRun::loop() {
             until = std::min(until, observer->schedule().next_after(state_.step));
         const auto wake = std::min({status_duty_.next(), progress_duty_.next(),
                                     checkpoint_duty_.next(), time_limit_.next()});
-        run_steps(model_, state_, exchange_, *health_, until, wake);
+        run_steps(model_, state_, exchange_, *health_, until, wake, &step_times_);
         if (state_.step == until) observe();
         attend_to_duties();
     }
@@ -239,6 +240,7 @@ void CaseRun::finish() {
     input.cell_steps_per_second = rate * state_.cells.cell_count();
     input.steps = steps_;
     input.threads = model_.threads;
+    input.session = {state_.step - session_.from_step, pace_->seconds(), step_times_.seconds()};
     write_json(results_.path() / "summary.json", summarise(results_.path(), input),
                Durability::power);
     record("done");

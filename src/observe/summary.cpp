@@ -116,6 +116,19 @@ Json tank_treading(const Table& cells, const SummaryInput& input) {
     return quantity(periods, Sample{}, &periods, input, "");
 }
 
+Json split(const SessionTimes& session) {
+    if (session.steps == 0) return nullptr;
+    const double us = 1e6 / static_cast<double>(session.steps);
+    Json split;
+    double inside = 0.0;
+    for (std::size_t k = 0; k < StepTimes::names.size(); ++k) {
+        split[StepTimes::names[k]] = us * session.pass_seconds[k];
+        inside += session.pass_seconds[k];
+    }
+    split["outside"] = us * (session.wall_seconds - inside);
+    return split;
+}
+
 }  // namespace
 
 Json summarise(const std::filesystem::path& results, const SummaryInput& input) {
@@ -142,6 +155,7 @@ Json summarise(const std::filesystem::path& results, const SummaryInput& input) 
     summary["wall_seconds"] = input.wall_seconds;
     summary["mlups"] = number(input.mlups);
     summary["cell_steps_per_second"] = number(input.cell_steps_per_second);
+    summary["step_us"] = split(input.session);
     return summary;
 }
 

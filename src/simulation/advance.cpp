@@ -27,30 +27,50 @@ void finish_step(const Model& m, State& s) {
 
 }  // namespace
 
-void advance(const Model& m, State& s, Exchange& x, FlowKept kept) {
+void advance(const Model& m, State& s, Exchange& x, FlowKept kept, StepTimes* times) {
     const bool everywhere = kept == FlowKept::everywhere || drive_looks_at(s.step);
     // Kept near membranes only, the velocity of a site takes the place of the force on it, which
     // the collision is the last to read: so much less to bring into the cache.
     VectorField& velocity = everywhere ? s.velocity : s.force;
     const Order order = m.jump.has_dipole() ? Order::first : Order::zeroth;
-    set_membrane_forces(m.membrane, s.cells);                   // Eqs. 10–15
+    const auto done = [times](Pass pass) {
+        if (times) times->lap(pass);
+    };
+    if (times) times->start();
+
+    set_membrane_forces(m.membrane, s.cells);  // Eqs. 10–15
+    done(Pass::membrane);
+
     add_pair_forces(m.contact, m.lattice, s.cells, s.contact);  // Eqs. 16–17
-    set_dipoles(m.jump, s.cells);
+    done(Pass::contact);
+
     unspread(s.stencils, s.force);
     locate(m.delta, m.lattice, s.cells, s.stencils);  // Eq. 8
-    spread(order, s.stencils, s.cells, s.force);      // Eq. 9
+    done(Pass::locate);
+
+    set_dipoles(m.jump, s.cells);
+    spread(order, s.stencils, s.cells, s.force);  // Eq. 9
     x.fold(s.force);
+    done(Pass::spread);
+
     update_viscosity(m.viscosity, s.cells, s.interior, s.relaxation);
+    done(Pass::viscosity);
+
     collide_and_stream(m.equilibrium, m.boundaries, {s.drive.body_force, 0.0}, s.force,
                        s.relaxation, s.populations, velocity,
                        everywhere ? nullptr : &s.stencils.near_membranes);  // Eqs. 1–4
     settle(x, s.populations);
+    done(Pass::fluid);
+
     x.fill(velocity);
     interpolate(order, s.stencils, velocity, s.cells);  // Eq. 7
     correct_velocities(m.jump, s.cells);
+    done(Pass::interpolate);
+
     if (m.membrane.hold_area) hold_areas(s.cells);
     move_nodes(s.cells);
     finish_step(m, s);
+    done(Pass::move);
 }
 
 }  // namespace tt

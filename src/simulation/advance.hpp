@@ -5,6 +5,7 @@
 #include "exchange/exchange.hpp"
 #include "simulation/model.hpp"
 #include "simulation/state.hpp"
+#include "simulation/step_times.hpp"
 
 namespace tt {
 
@@ -12,8 +13,8 @@ namespace tt {
 enum class FlowKept : std::uint8_t { everywhere, near_membranes };
 
 /// One time step, in the order of the paper: a team function. A function of Model and State alone;
-/// the same bits for any number of threads.
+/// the same bits for any number of threads. Adds to `times`, if given, what each pass took.
 void advance(const Model& model, State& state, Exchange& exchange,
-             FlowKept kept = FlowKept::everywhere);
+             FlowKept kept = FlowKept::everywhere, StepTimes* times = nullptr);
 
 }  // namespace tt

@@ -10,7 +10,7 @@
 namespace tt {
 
 void run_steps(const Model& model, State& state, Exchange& exchange, Health& health,
-               std::int64_t until, Clock::time_point wake) {
+               std::int64_t until, Clock::time_point wake, StepTimes* times) {
     TT_EXPECTS(state.step < until);
     std::optional<Instability> fault;
     bool done = false, last = false;
@@ -25,7 +25,7 @@ void run_steps(const Model& model, State& state, Exchange& exchange, Health& hea
         // `done`, `kept` and `last` change only between the two barriers of on_one_thread and
         // advance, so all threads read the same.
         while (!done) {
-            advance(model, state, exchange, kept);
+            advance(model, state, exchange, kept, times);
             on_one_thread([&] {
                 fault = health.after_step(model, state);
                 done = fault || last;

@@ -46,15 +46,18 @@ void for_each_number(S& state, Visit&& visit) {
 
 std::string plane_name(int i) { return fmt::format("populations.{}", i); }
 
-/// One plane of populations without its halo, row after row.
+/// One plane of populations without its halo, row after row. A float is a double too: no bit is
+/// lost.
 std::vector<double> sites(const Populations& populations, int i) {
     const Lattice& lattice = populations.lattice();
     std::vector<double> plane;
     plane.reserve(static_cast<std::size_t>(lattice.nx) * lattice.ny);
-    for (int j = 0; j < lattice.ny; ++j) {
-        const double* const row = populations.row(i, j);
-        plane.insert(plane.end(), row, row + lattice.nx);
-    }
+    populations.visit([&](const auto* numbers) {
+        for (int j = 0; j < lattice.ny; ++j) {
+            const auto* const row = numbers + populations.row(i, j);
+            plane.insert(plane.end(), row, row + lattice.nx);
+        }
+    });
     return plane;
 }
 
@@ -62,19 +65,23 @@ std::vector<double> sites(const Populations& populations, int i) {
     throw DamagedArchive(fmt::format("the checkpoint cannot be loaded: {}", why));
 }
 
-void load_populations(const ArchiveReader& archive, const Lattice& lattice, Exchange& exchange,
+void load_populations(const ArchiveReader& archive, const Model& model, Exchange& exchange,
                       Populations& populations) {
-    populations = Populations(lattice);
+    const Lattice& lattice = model.lattice;
+    populations = Populations(lattice, model.precision);
     const auto odd = archive.value<std::int64_t>("populations.odd") != 0;
     populations.phase = odd ? Populations::Phase::odd : Populations::Phase::even;
     const auto nx = static_cast<std::size_t>(lattice.nx);
     for (int i = 0; i < d2q9::count; ++i) {
         const auto plane = archive.take<double>(plane_name(i));
         if (plane.size() != nx * lattice.ny) refuse("it is of another lattice");
-        for (int j = 0; j < lattice.ny; ++j) {
-            std::copy_n(plane.begin() + static_cast<std::ptrdiff_t>(nx * j), nx,
-                        populations.row(i, j));
-        }
+        populations.visit([&]<class Real>(Real* numbers) {
+            for (int j = 0; j < lattice.ny; ++j) {
+                const double* const from = plane.data() + nx * j;
+                std::transform(from, from + nx, numbers + populations.row(i, j),
+                               [](double f) { return static_cast<Real>(f); });
+            }
+        });
     }
     if (odd) exchange.fill(populations);  // as `settle` left it
 }
@@ -118,7 +125,7 @@ State load_state(const ArchiveReader& archive, const Model& model, Exchange& exc
     });
     expect_sound(state);
     size_derived(state.cells);
-    load_populations(archive, model.lattice, exchange, state.populations);
+    load_populations(archive, model, exchange, state.populations);
     // `derive` lays the cytoplasm where the nodes are now; the run goes on from where it was last
     // laid.
     const std::vector<double> x = state.interior.x;

@@ -34,8 +34,9 @@ void pressurise(Experiment& drop, double pressure) {
     for (int k = 0; k < d2q9::count; ++k) {
         for (int j = 0; j < lattice.ny; ++j) {
             for (int i = 0; i < lattice.nx; ++i)
-                f.slot(k, i, j) +=
-                    3.0 * pressure * d2q9::weight[k] * drop.state.interior.fraction(i, j);
+                f.set_slot(k, i, j,
+                           f.slot(k, i, j) + 3.0 * pressure * d2q9::weight[k] *
+                                                 drop.state.interior.fraction(i, j));
         }
     }
 }

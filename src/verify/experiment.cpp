@@ -12,7 +12,7 @@ Experiment::Experiment(const Case& c) : model(discretise(c)), state(initial_stat
 
 Experiment::Experiment(const Model& m, const Suspension& cells, const VectorField& velocity)
     : model(m) {
-    state.populations = Populations(model.lattice);
+    state.populations = Populations(model.lattice, model.precision);
     state.cells = cells;
     state.drive.body_force = model.drive.body_force;
     set_equilibrium(model.equilibrium, velocity, state.populations);

@@ -37,10 +37,10 @@ double decay_error(const Equilibrium& equilibrium, int size) {
         for (int k = 0; k < d2q9::count; ++k) {
             for (int j = 0; j < size; ++j) {
                 for (int i = 0; i < size; ++i) {
-                    flow.populations.slot(k, i, j) +=
-                        d2q9::weight[k] * 3.0 *
-                        analytic::taylor_green_pressure(Lattice::position(i, j), {w, w}, speed,
-                                                        viscosity, 0.0);
+                    const double pressure = analytic::taylor_green_pressure(
+                        Lattice::position(i, j), {w, w}, speed, viscosity, 0.0);
+                    flow.populations.set_slot(
+                        k, i, j, flow.populations.slot(k, i, j) + d2q9::weight[k] * 3.0 * pressure);
                 }
             }
         }

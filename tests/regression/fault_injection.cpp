@@ -68,7 +68,7 @@ TEST(FaultInjection, a_run_without_a_fault_is_healthy) {
 }
 
 TEST(FaultInjection, a_nan_in_one_population_is_noticed_within_a_hundred_steps) {
-    expect_noticed([](State& s) { s.populations.slot(3, 16, 12) = std::nan(""); });
+    expect_noticed([](State& s) { s.populations.set_slot(3, 16, 12, std::nan("")); });
 }
 
 TEST(FaultInjection, a_nan_in_one_node_is_noticed_within_a_hundred_steps) {

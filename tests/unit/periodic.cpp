@@ -83,7 +83,8 @@ TEST(Periodic, settle_turns_the_phase_and_leaves_every_population_readable) {
         Random random(2);
         for (int k = 0; k < d2q9::count; ++k) {
             for (int j = 0; j < lattice.ny; ++j) {
-                for (int i = 0; i < lattice.nx; ++i) populations.slot(k, i, j) = random.uniform();
+                for (int i = 0; i < lattice.nx; ++i)
+                    populations.set_slot(k, i, j, random.uniform());
             }
         }
         const Populations start = populations;
