@@ -42,6 +42,9 @@ protected:
         input.average_from = Time{2.0};
         input.average_to = Time{4.0};
         input.shear_rate = Rate{10.0};
+        input.session.steps = 1000;
+        input.session.wall_seconds = 1.0;
+        input.session.pass_seconds.fill(0.1);
         return summarise(directory(), input);
     }
 };
@@ -68,6 +71,12 @@ TEST_F(Summary, a_measure_that_is_undefined_at_a_look_is_left_out_there) {
     EXPECT_EQ(viscosity["unit"], "Pa s");
     EXPECT_TRUE(viscosity["sd_cells"].is_null());
     EXPECT_NEAR(summary()["mu_rel"]["mean"].get<double>(), 3.0, 1e-12);
+}
+
+TEST_F(Summary, splits_the_time_of_a_step_over_its_passes_and_what_is_outside_of_them) {
+    const Json split = summary()["step_us"];
+    for (const char* pass : StepTimes::names) EXPECT_NEAR(split[pass].get<double>(), 100.0, 1e-9);
+    EXPECT_NEAR(split["outside"].get<double>(), 1000.0 - 100.0 * StepTimes::names.size(), 1e-9);
 }
 
 }  // namespace
