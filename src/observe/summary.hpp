@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "io/json.hpp"
 #include "observe/measures.hpp"
@@ -19,6 +21,12 @@ struct SummaryInput {
     std::int64_t steps = 0;
     int threads = 1;
 };
+
+/// The quantities that have a mean and its scatter, as they are named in summary.json.
+std::vector<std::string_view> summary_quantities();
+
+/// The dimension of one of these; nothing if there is none of this name.
+std::optional<Dimension> summary_dimension(std::string_view name);
 
 /// What a paper would quote, from the tables alone, so that stopping and resuming changes nothing.
 /// Each quantity is {mean, sd_time, sd_cells, min, max, window, unit}: mean over the window;
