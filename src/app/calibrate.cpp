@@ -260,8 +260,8 @@ int calibrate(const CalibrateOptions& options, const std::string& command_line) 
 
 void add_calibrate(CLI::App& app, Action& action, const std::string& command_line) {
     auto options = std::make_shared<CalibrateOptions>();
-    CLI::App* verb = app.add_subcommand(
-        "calibrate", "find the hardening's D and beta from numbers that were measured");
+    CLI::App* verb =
+        app.add_subcommand("calibrate", "find the hardening's D and beta from measured numbers");
     verb->add_option("targets", options->path, "the file of targets")->required();
     verb->add_option("-o,--output", options->directory, "directory; else results/NAME");
     verb->add_option("-j,--jobs", options->jobs,

@@ -9,7 +9,6 @@
 #include "base/version.hpp"
 #include "base/words.hpp"
 #include "io/toml.hpp"
-#include "report/gnuplot.hpp"
 
 namespace tt {
 namespace {
@@ -58,6 +57,37 @@ std::string described_targets(const Calibration& c) {
                             c.targets.conditions[target.condition].label);
     }
     return text;
+}
+
+std::string described_failures(const Calibration& c) {
+    constexpr std::size_t shown = 3;
+    std::vector<const TriedPair*> failed;
+    for (const TriedPair& pair : c.pairs)
+        if (pair.found.empty()) failed.push_back(&pair);
+    std::string text = failed.empty() ? "" : "\n";
+    for (std::size_t k = 0; k < std::min(failed.size(), shown); ++k)
+        text += wrapped(fmt::format("failed: D = {}, beta = {}: {}", to_text(failed[k]->D),
+                                    to_text(failed[k]->beta), failed[k]->failure),
+                        79, 8) +
+                "\n";
+    if (failed.size() > shown)
+        text += fmt::format("and {} more; calibration.json has them all\n", failed.size() - shown);
+    if (2 * failed.size() > c.pairs.size())
+        text += "Most pairs failed: take a smaller numerics.dt or lower ends of the ranges.\n";
+    return text;
+}
+
+std::string described_ending(const Calibration& c) {
+    const Standpoint& now = c.search.standpoint();
+    if (now.settled) return {};
+    return wrapped(
+               fmt::format("NOT SETTLED after {} pairs: the minimum of the surfaces lies {:.2g} "
+                           "standard uncertainties from the nearest pair tried. What follows is "
+                           "the best pair tried, with the uncertainties of that minimum. Raise "
+                           "most_pairs and give the same command again.",
+                           c.pairs.size(), now.way),
+               79) +
+           "\n\n";
 }
 
 /// The pair that the case has, if it was tried.
@@ -122,7 +152,7 @@ std::string describe(const Calibration& c) {
     std::string text =
         fmt::format("{}: {} pairs tried, {} of them failed\n\n", c.targets.name, c.pairs.size(),
                     failed) +
-        line_of("D", best_D(c)) + line_of("beta", best_beta(c)) +
+        described_ending(c) + line_of("D", best_D(c)) + line_of("beta", best_beta(c)) +
         fmt::format("correlation {:.3f}; chi2 {:.3g} of {} number{}, two of them free\n\n",
                     now.estimate.correlation, misfit(c.best().found, goals), goals.size(),
                     goals.size() == 1 ? "" : "s") +
@@ -136,20 +166,7 @@ std::string describe(const Calibration& c) {
             "\nThe pair of the case, D = {}, beta = {}: chi2 {:.3g}, {:.1f} standard "
             "uncertainties away\n",
             to_text(own->D), to_text(own->beta), misfit(own->found, goals), way_to(c, *own));
-    for (const TriedPair& pair : c.pairs)
-        if (pair.found.empty())
-            text += wrapped(fmt::format("failed: D = {}, beta = {}: {}", to_text(pair.D),
-                                        to_text(pair.beta), pair.failure),
-                            79, 8) +
-                    "\n";
-    if (!now.settled)
-        text +=
-            wrapped(fmt::format("\nNot settled after {} pairs: the minimum lies {:.2g} standard "
-                                "uncertainties from the nearest pair tried. Raise most_pairs "
-                                "and say the same command again.",
-                                c.pairs.size(), now.way),
-                    79) +
-            "\n";
+    text += described_failures(c);
     text +=
         fmt::format("\n[membrane.hardening]\nform = {}\nD    = {}\nbeta = {}\n",
                     toml_string(hardening_of(c).form), to_text(c.best().D), to_text(c.best().beta));
@@ -192,63 +209,6 @@ Json to_json(const Calibration& c) {
     }
     for (const TriedPair& pair : c.pairs) j["pairs"].push_back(to_json(pair, goals));
     return j;
-}
-
-void draw_valley(const Calibration& c, const std::filesystem::path& out) {
-    constexpr int steps = 100;
-    const Standpoint& now = c.search.standpoint();
-    std::string map = "# D, beta, chi2 - least, from the surfaces\n";
-    for (int i = 0; i <= steps; ++i) {
-        for (int j = 0; j <= steps; ++j) {
-            const Vec2 p{static_cast<double>(i) / steps, static_cast<double>(j) / steps};
-            map += fmt::format("{:.6g} {:.6g} {:.6g}\n", c.targets.D.value(p.x),
-                               c.targets.beta.value(p.y),
-                               c.search.landscape().misfit(p) - now.estimate.misfit);
-        }
-        map += '\n';
-    }
-    std::string lines = "# the best beta for each D\n";
-    for (const ValleyPoint& p : valley_of(c, 101))
-        lines += p.at_end ? "\n" : fmt::format("{:.6g} {:.6g}\n", p.D, p.beta);
-    std::string tried, failed;
-    for (const TriedPair& pair : c.pairs)
-        (pair.found.empty() ? failed : tried) += fmt::format("{} {}\n", pair.D, pair.beta);
-    lines += "\n\n# pairs tried\n" + tried + "\n\n# the best of them\n" +
-             fmt::format("{} {}\n", c.best().D, c.best().beta);
-    if (!failed.empty()) lines += "\n\n# pairs that failed\n" + failed;
-    write_style(out);
-    write_text(out / "valley-map.dat", map);
-    write_text(out / "valley.dat", lines);
-    std::string body = fmt::format(
-        R"(unset logscale
-set xrange [*:*]
-set yrange [*:*]
-set table "valley-contours.dat"
-set contour base
-unset surface
-set cntrparam levels discrete 1, 4, 25
-splot "valley-map.dat" using (log10($1)):(log10($2)):3
-unset table
-set surface
-unset contour
-set logscale xy
-set xrange [{}:{}]
-set yrange [{}:{}]
-set xlabel "{{/:Italic D}}"
-set ylabel "{{/:Italic β}}"
-set key bottom left box opaque
-level(z, wanted, value) = abs(z - wanted) < 0.1 ? 10**value : NaN
-plot "valley-contours.dat" using (10**$1):(level($3, 1, $2)) with lines lt 1 lw 2 title "χ^2 = least + 1", \
-     "" using (10**$1):(level($3, 4, $2)) with lines lt 6 title "least + 4", \
-     "" using (10**$1):(level($3, 25, $2)) with lines lc rgb "#bbbbbb" title "least + 25", \
-     "valley.dat" index 0 with lines lt 2 title "best {{/:Italic β}} for each {{/:Italic D}}", \
-     "" index 1 with points lc rgb "#555555" pt 7 ps 0.4 title "tried", \
-     "" index 2 with points lt 2 pt 3 ps 1.2 title "best")",
-        c.targets.D.low, c.targets.D.high, c.targets.beta.low, c.targets.beta.high);
-    if (!failed.empty())
-        body +=
-            ", \\\n     \"\" index 3 with points lc rgb \"#555555\" pt 2 ps 0.8 title \"failed\"";
-    run_gnuplot(out, "valley", body, 340, 300);
 }
 
 }  // namespace tt
