@@ -13,6 +13,7 @@
 #include "case/targets.hpp"
 #include "io/json.hpp"
 #include "observe/summary.hpp"
+#include "simulation/stop.hpp"
 #include "temporary_directory.hpp"
 
 namespace {
@@ -127,6 +128,23 @@ TEST_F(Calibrate, a_pair_that_blows_up_is_told_and_left_out) {
     EXPECT_NE(outcome.err.find(" failed: unstable at step "), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.out.find("NOT SETTLED"), std::string::npos);
     EXPECT_NE(outcome.out.find("[membrane.hardening]"), std::string::npos);
+}
+
+TEST_F(Calibrate, asked_to_stop_it_ends_with_75_and_goes_on_with_the_same_command) {
+    const std::vector<std::string> words{
+        "calibrate", write("t.toml", targets(1.05, 1.15, "first_pairs = 4\nmost_pairs = 4\n")),
+        "-o", path("out").string()};
+    tt::request_stop();
+    const Outcome stopped = run(words);
+    tt::clear_stop_request();
+    EXPECT_EQ(stopped.code, 75);
+    EXPECT_NE(stopped.err.find("the same command goes on"), std::string::npos) << stopped.err;
+    EXPECT_FALSE(fs::exists(path("out") / "calibration.json"));
+    EXPECT_EQ(run(words).code, 0);
+    EXPECT_TRUE(fs::exists(path("out") / "calibration.json"));
+    write("t.toml", targets(1.06, 1.15, "first_pairs = 4\nmost_pairs = 4\n"));
+    EXPECT_EQ(run(words).code, 0);
+    EXPECT_TRUE(fs::exists(path("out") / "former-1" / "calibration.json"));
 }
 
 TEST_F(Calibrate, a_directory_of_other_things_is_never_touched) {
