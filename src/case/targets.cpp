@@ -295,7 +295,7 @@ Case case_at(const Condition& condition, double D, double beta, std::int64_t see
     c.membrane.hardening.D = D;
     c.membrane.hardening.beta = beta;
     c.cells.seed = seed;
-    if (!c.output.frames) c.output.frames = c.time.end;
+    c.output.frames = c.time.end;
     return c;
 }
 

@@ -40,8 +40,8 @@ struct Targets {
 /// cases it makes; IoError if it cannot be read.
 Targets read_targets(const std::filesystem::path& path);
 
-/// The condition with this pair and seed, ready to run; frames only at its end, unless it asks for
-/// more.
+/// The condition with this pair and seed, ready to run. Frames at its beginning and end only: they
+/// change no mean, and a calibration makes many runs.
 Case case_at(const Condition& condition, double D, double beta, std::int64_t seed);
 
 }  // namespace tt

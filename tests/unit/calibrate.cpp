@@ -196,6 +196,7 @@ TEST_F(TargetsFile, is_read_with_units_and_runs_each_condition_once) {
     EXPECT_EQ(c.membrane.hardening.D, 0.3);
     EXPECT_EQ(c.membrane.hardening.beta, 11.0);
     EXPECT_EQ(c.cells.seed, 2);
+    EXPECT_EQ(c.output.frames, c.time.end) << "the channel's own would fill the disk";
 }
 
 TEST_F(TargetsFile, every_fault_is_told_at_once_with_its_place_and_what_to_write) {
