@@ -81,7 +81,8 @@ int tell(std::string_view message, int code) {
     return code;
 }
 
-/// Each kind of error has its exit code.
+}  // namespace
+
 int perform(const Action& action) {
     try {
         const int code = action();
@@ -109,8 +110,6 @@ int perform(const Action& action) {
     }
 }
 
-}  // namespace
-
 int run_command_line(int argc, const char* const* argv) {
     CLI::App app("", "tanktread");
     Action action;
@@ -124,6 +123,7 @@ int run_command_line(int argc, const char* const* argv) {
     add_status(app, action);
     add_report(app, action);
     add_export(app, action);
+    add_calibrate(app, action, command_line);
     add_selftest(app, action);
     add_keys(app, action);
     for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))

@@ -3,17 +3,15 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
-#include <string_view>
 
 #include "app/case_options.hpp"
+#include "app/run_request.hpp"
 #include "app/verb.hpp"
 #include "base/units.hpp"
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
-#include "case/resolve.hpp"
 #include "exchange/periodic.hpp"
 #include "io/file.hpp"
 #include "observe/run_case.hpp"
@@ -30,36 +28,6 @@ struct RunOptions {
     std::string progress = "auto";
     bool fresh = false;
 };
-
-ProgressMode progress_mode(const std::string& word) {
-    static const std::map<std::string, ProgressMode> modes{{"auto", ProgressMode::automatic},
-                                                           {"bar", ProgressMode::bar},
-                                                           {"log", ProgressMode::log},
-                                                           {"json", ProgressMode::json},
-                                                           {"none", ProgressMode::none}};
-    const auto mode = modes.find(word);
-    if (mode == modes.end())
-        throw CommandError(
-            fmt::format("--progress {} is not one of auto, bar, log, json, none", word));
-    return mode->second;
-}
-
-/// Everything about the run but where it goes and how the user wants to watch it.
-RunRequest request_for(const Case& c, const Choice& choice, const Model& model) {
-    RunRequest request;
-    request.name = c.name;
-    request.resolved_toml = resolved_toml(c, choice, model);
-    request.identity = identity_of(c);
-    request.end = c.time.end;
-    request.average_from = c.time.average_from.value_or(Time{0.5 * c.time.end.si});
-    request.series = c.output.series.value_or(Time{c.time.end.si / 500.0});
-    request.frames = c.output.frames.value_or(Time{c.time.end.si / 50.0});
-    request.checkpoint = c.output.checkpoint;
-    if (!c.numerics.fluid_only && choice.shear_rate.si > 0.0)
-        request.shear_number = c.plasma.viscosity.si * choice.shear_rate.si *
-                               equivalent_radius(c).si / c.membrane.shear_modulus.si;
-    return request;
-}
 
 int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
     const std::string directory = request.directory.string();

@@ -30,6 +30,9 @@ public:
 /// What the command line asks for, to be done once all of it has been read. Returns the exit code.
 using Action = std::function<int()>;
 
+/// Does it. What it throws is told on stderr; each kind of error has its exit code.
+int perform(const Action& action);
+
 // Each adds one verb with its options and help; when it is named, `action` becomes what it does.
 void add_new(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
@@ -38,6 +41,7 @@ void add_resume(CLI::App& app, Action& action, const std::string& command_line);
 void add_status(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
+void add_calibrate(CLI::App& app, Action& action, const std::string& command_line);
 void add_selftest(CLI::App& app, Action& action);
 void add_keys(CLI::App& app, Action& action);
 

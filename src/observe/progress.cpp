@@ -20,8 +20,9 @@ std::string compact(double number) {
     return fmt::format("{:.3g}", number);
 }
 
-/// 3:12, 2:03:12 or 4 d.
-std::string duration(double seconds) {
+}  // namespace
+
+std::string clock_text(double seconds) {
     if (!std::isfinite(seconds)) return "?";
     const auto total = static_cast<long long>(std::llround(std::min(seconds, 1e9)));
     if (total >= 2 * 86400) return fmt::format("{} d", total / 86400);
@@ -30,8 +31,6 @@ std::string duration(double seconds) {
     return fmt::format("{}:{:02}", total / 60, total % 60);
 }
 
-}  // namespace
-
 std::string progress_line(const Standing& s) {
     const double percent =
         s.steps > 0 ? 100.0 * static_cast<double>(s.step) / static_cast<double>(s.steps) : 100.0;
@@ -39,7 +38,7 @@ std::string progress_line(const Standing& s) {
         fmt::format("{:5.1f} %  {:.4g}/{:.4g} ms  {} steps/s  {} MLUPS", percent, s.time * 1e3,
                     s.end * 1e3, compact(s.steps_per_second), compact(s.mlups));
     if (s.cells > 0) line += fmt::format("  λ_C {:.3f}", s.lambda_C);
-    return line + fmt::format("  {} left", duration(s.seconds_left));
+    return line + fmt::format("  {} left", clock_text(s.seconds_left));
 }
 
 std::string progress_json(const Standing& s) {
@@ -78,15 +77,18 @@ double Progress::interval() const {
 }
 
 void Progress::show(const Standing& standing) {
+    show(progress_line(standing), progress_json(standing));
+}
+
+void Progress::show(const std::string& line, const std::string& json) {
     if (mode_ == ProgressMode::none) return;
     if (mode_ == ProgressMode::bar) {
-        fmt::print(stderr, "\r\x1b[K{}", progress_line(standing));
+        fmt::print(stderr, "\r\x1b[K{}", line);
         std::fflush(stderr);
         line_open_ = true;
         return;
     }
-    fmt::print(stderr, "{}\n",
-               mode_ == ProgressMode::json ? progress_json(standing) : progress_line(standing));
+    fmt::print(stderr, "{}\n", mode_ == ProgressMode::json ? json : line);
 }
 
 void Progress::say(const std::string& message) {

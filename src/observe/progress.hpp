@@ -16,6 +16,9 @@ std::string progress_line(const Standing& standing);
 /// The same numbers as one JSON object without a line break.
 std::string progress_json(const Standing& standing);
 
+/// 3:12, 2:03:12 or 4 d; ? if it is not known.
+std::string clock_text(double seconds);
+
 /// Shows how a run goes, on stderr.
 class Progress {
 public:
@@ -27,6 +30,8 @@ public:
     /// Wall seconds between two lines; infinite for `none`.
     double interval() const;
     void show(const Standing& standing);
+    /// The same for work that is no single run: `line`, or `json` where that is asked for.
+    void show(const std::string& line, const std::string& json);
     /// A message of its own line that does not mix with the progress line.
     void say(const std::string& message);
 

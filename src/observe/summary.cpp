@@ -1,15 +1,40 @@
 #include "observe/summary.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 #include "io/csv.hpp"
 
 namespace tt {
 namespace {
+
+constexpr std::array shapes{"taylor_inertia", "taylor_extent", "inclination_deg", "strain",
+                            "lambda_C"};
+constexpr std::string_view period = "tank_treading_kT";
+constexpr std::array flows{"area_error_max",
+                           "mean_velocity",
+                           "pseudo_shear_rate",
+                           "flux",
+                           "pressure_gradient",
+                           "mu_app",
+                           "mu_rel",
+                           "cfl_gap",
+                           "cfl_envelope",
+                           "cfl_profile",
+                           "cfl_core",
+                           "hematocrit_tube",
+                           "hematocrit_discharge",
+                           "mach",
+                           "smallest_gap",
+                           "overlaps",
+                           "repulsion_count"};
+constexpr std::array stresses{"shear_number_star_traction", "shear_number_star_principal"};
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -129,27 +154,45 @@ Json split(const SessionTimes& session) {
     return split;
 }
 
+template <class Row>
+std::optional<Dimension> dimension_in(std::string_view name) {
+    std::optional<Dimension> result;
+    for_each_field<Row>([&](const auto& entry) {
+        using T = std::remove_cvref_t<decltype(Row{}.*entry.member)>;
+        if (entry.key != name) return;
+        result = Dimension{};
+        if constexpr (requires { T::dimension; }) result = T::dimension;
+    });
+    return result;
+}
+
 }  // namespace
+
+std::vector<std::string_view> summary_quantities() {
+    std::vector<std::string_view> names(shapes.begin(), shapes.end());
+    names.push_back(period);
+    names.insert(names.end(), flows.begin(), flows.end());
+    names.insert(names.end(), stresses.begin(), stresses.end());
+    return names;
+}
+
+std::optional<Dimension> summary_dimension(std::string_view name) {
+    const auto names = summary_quantities();
+    if (std::find(names.begin(), names.end(), name) == names.end()) return std::nullopt;
+    if (name == period) return Dimension{};
+    const auto of_one_cell = dimension_in<CellMeasures>(name);
+    return of_one_cell ? of_one_cell : dimension_in<RunMeasures>(name);
+}
 
 Json summarise(const std::filesystem::path& results, const SummaryInput& input) {
     const Table series = read_csv(results / "series.csv");
     const Table cells = read_csv(results / "cells.csv");
     Json summary;
-    for (const char* name :
-         {"taylor_inertia", "taylor_extent", "inclination_deg", "strain", "lambda_C"}) {
-        summary[name] = of_cells(cells, name, input);
-    }
-    summary["tank_treading_kT"] = tank_treading(cells, input);
-    for (const char* name : {"area_error_max", "mean_velocity", "pseudo_shear_rate", "flux",
-                             "pressure_gradient", "mu_app", "mu_rel", "cfl_gap", "cfl_envelope",
-                             "cfl_profile", "cfl_core", "hematocrit_tube", "hematocrit_discharge",
-                             "mach", "smallest_gap", "overlaps", "repulsion_count"}) {
-        summary[name] = of_run(series, name, input);
-    }
+    for (const char* name : shapes) summary[name] = of_cells(cells, name, input);
+    summary[std::string(period)] = tank_treading(cells, input);
+    for (const char* name : flows) summary[name] = of_run(series, name, input);
     summary["shear_number"] = input.shear_number ? number(*input.shear_number) : Json(nullptr);
-    for (const char* name : {"shear_number_star_traction", "shear_number_star_principal"}) {
-        summary[name] = of_cells(cells, name, input);
-    }
+    for (const char* name : stresses) summary[name] = of_cells(cells, name, input);
     summary["steps"] = input.steps;
     summary["threads"] = input.threads;
     summary["wall_seconds"] = input.wall_seconds;

@@ -3,6 +3,8 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "io/json.hpp"
 #include "observe/measures.hpp"
@@ -29,6 +31,12 @@ struct SummaryInput {
     int threads = 1;
     SessionTimes session;
 };
+
+/// The quantities that have a mean and its scatter, as they are named in summary.json.
+std::vector<std::string_view> summary_quantities();
+
+/// The dimension of one of these; nothing if there is none of this name.
+std::optional<Dimension> summary_dimension(std::string_view name);
 
 /// What a paper would quote, from the tables alone, so that stopping and resuming changes nothing.
 /// Each quantity is {mean, sd_time, sd_cells, min, max, window, unit}: mean over the window;

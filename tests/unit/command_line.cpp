@@ -109,7 +109,7 @@ TEST(CommandLine, a_faulty_case_ends_with_2_and_leaves_stdout_empty) {
 
 TEST(CommandLine, help_goes_to_stdout_and_fits_80_columns) {
     for (const char* verb :
-         {"", "new", "check", "run", "resume", "status", "report", "export", "keys"}) {
+         {"", "new", "check", "run", "resume", "status", "report", "export", "calibrate", "keys"}) {
         std::vector<std::string> words{"--help"};
         if (*verb != '\0') words.insert(words.begin(), verb);
         const Outcome outcome = run(words);

@@ -1,0 +1,41 @@
+#include "app/run_request.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "app/verb.hpp"
+#include "case/resolve.hpp"
+
+namespace tt {
+
+RunRequest request_for(const Case& c, const Choice& choice, const Model& model) {
+    RunRequest request;
+    request.name = c.name;
+    request.resolved_toml = resolved_toml(c, choice, model);
+    request.identity = identity_of(c);
+    request.end = c.time.end;
+    request.average_from = c.time.average_from.value_or(Time{0.5 * c.time.end.si});
+    request.series = c.output.series.value_or(Time{c.time.end.si / 500.0});
+    request.frames = c.output.frames.value_or(Time{c.time.end.si / 50.0});
+    request.checkpoint = c.output.checkpoint;
+    if (!c.numerics.fluid_only && choice.shear_rate.si > 0.0)
+        request.shear_number = c.plasma.viscosity.si * choice.shear_rate.si *
+                               equivalent_radius(c).si / c.membrane.shear_modulus.si;
+    return request;
+}
+
+ProgressMode progress_mode(const std::string& word) {
+    static const std::map<std::string, ProgressMode> modes{{"auto", ProgressMode::automatic},
+                                                           {"bar", ProgressMode::bar},
+                                                           {"log", ProgressMode::log},
+                                                           {"json", ProgressMode::json},
+                                                           {"none", ProgressMode::none}};
+    const auto mode = modes.find(word);
+    if (mode == modes.end())
+        throw CommandError(
+            fmt::format("--progress {} is not one of auto, bar, log, json, none", word));
+    return mode->second;
+}
+
+}  // namespace tt

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "case/case.hpp"
+#include "case/choose.hpp"
+#include "observe/run_case.hpp"
+#include "simulation/model.hpp"
+
+namespace tt {
+
+/// Everything about the run of a case but where it goes and how the user wants to watch it.
+RunRequest request_for(const Case& c, const Choice& choice, const Model& model);
+
+/// The value of --progress. Throws CommandError.
+ProgressMode progress_mode(const std::string& word);
+
+}  // namespace tt

@@ -1,0 +1,167 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "base/words.hpp"
+#include "case/field_types.hpp"
+#include "case/validate.hpp"
+#include "case/value_reader.hpp"
+
+namespace tt {
+
+/// The paths of all tables that have a field `key`.
+template <Table S>
+void find_key(std::string_view key, const std::string& path, std::vector<std::string>& found) {
+    for_each_field<S>([&](const auto& field) {
+        using T = std::remove_cvref_t<decltype(std::declval<S>().*field.member)>;
+        if (field.key == key && !path.empty()) found.push_back(path);
+        if constexpr (Table<T>)
+            find_key<T>(
+                key, path.empty() ? std::string(field.key) : fmt::format("{}.{}", path, field.key),
+                found);
+    });
+}
+
+/// Walks the tree along the field lists. Goes on after a fault; what could not be read keeps its
+/// default.
+template <Table Root>
+class Reader : public ValueReader {
+public:
+    using ValueReader::ValueReader;
+
+    template <Table S>
+    void read_table(const TomlNode& table, const TomlEntry* header, const std::string& path,
+                    S& result) {
+        for (const TomlEntry& entry : table.entries) {
+            bool known = false;
+            for_each_field<S>([&](const auto& field) {
+                if (field.key != entry.key) return;
+                known = true;
+                read_field(entry, join(path, field.key), field, result.*field.member);
+            });
+            if (!known) tell_unknown_key<S>(entry, path);
+        }
+        for_each_field<S>([&](const auto& field) {
+            if (table.find(field.key) == nullptr)
+                read_absent(header, join(path, field.key), field, result.*field.member);
+        });
+    }
+
+    Places places;
+
+private:
+    using ValueReader::read_value;
+
+    static std::string join(const std::string& path, std::string_view key) {
+        return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+    }
+
+    template <class F>
+    static FieldText text_of(const F& field) {
+        return {field.key, field.range, field.choices, field.example};
+    }
+
+    template <class F, class T>
+    void read_field(const TomlEntry& entry, const std::string& path, const F& field, T& result) {
+        if constexpr (Table<T>) {
+            if (entry.value.kind == TomlNode::Kind::table)
+                return read_table(entry.value, &entry, path, result);
+            const bool twice = entry.value.kind == TomlNode::Kind::array;
+            tell_key(entry, fmt::format("{} is a table; write [{}] on a line of its own{}",
+                                        field.key, path, twice ? ", once" : ""));
+        } else if constexpr (is_list<T> && Table<item_type<T>>) {
+            read_tables(entry, fmt::format("[{}]", path), result);
+        } else {
+            if constexpr (is_optional<T>) {
+                if (entry.value.kind == TomlNode::Kind::string && entry.value.text == "auto")
+                    return;
+            }
+            places[path] = place(entry, entry.line, entry.column);
+            read_value(entry, entry.value, text_of(field), result);
+        }
+    }
+
+    /// [[path]], once for each item.
+    template <class T>
+    void read_tables(const TomlEntry& entry, const std::string& path, std::vector<T>& result) {
+        if (entry.value.kind != TomlNode::Kind::array)
+            return tell_key(entry,
+                            fmt::format("write [{}] on a line of its own before each", path));
+        for (const TomlNode& item : entry.value.items) {
+            const TomlEntry header{entry.key, item.line, item.column, {}, entry.origin};
+            result.emplace_back();
+            if (item.kind == TomlNode::Kind::table)
+                read_table(item, &header, path, result.back());
+            else
+                tell_key(header, fmt::format("write [{}] on a line of its own before each", path));
+        }
+    }
+
+    template <class F, class T>
+    void read_absent(const TomlEntry* header, const std::string& path, const F& field, T& result) {
+        if constexpr (Table<T>) {
+            read_table(TomlNode{}, header, path, result);
+        } else if constexpr (is_quantity<T> || std::is_same_v<T, Measure>) {
+            if (!field.range.contains(result.si)) tell_missing(header, path, text_of(field));
+        }
+    }
+
+    void tell_missing(const TomlEntry* header, const std::string& path, const FieldText& field) {
+        Fault fault = header != nullptr ? place(*header, header->line, header->column)
+                                        : Fault{file(), 0, 0, {}};
+        fault.message =
+            fmt::format("{} is missing from [{}]; write {} = {}", field.key,
+                        path.substr(0, path.rfind('.')), field.key, toml_string(field.example));
+        faults.push_back(std::move(fault));
+    }
+
+    template <Table S>
+    void tell_unknown_key(const TomlEntry& entry, const std::string& path) {
+        std::vector<std::string_view> keys;
+        for_each_field<S>([&](const auto& field) { keys.push_back(field.key); });
+        std::vector<std::string> elsewhere;
+        find_key<Root>(entry.key, "", elsewhere);
+        std::string message =
+            path.empty() ? fmt::format("unknown {} '{}'",
+                                       entry.value.kind == TomlNode::Kind::table ? "table" : "key",
+                                       entry.key)
+                         : fmt::format("unknown key '{}' in [{}]", entry.key, path);
+        if (const auto near = closest(entry.key, keys); near && elsewhere.empty())
+            message += fmt::format("; did you mean '{}'?", *near);
+        else if (!elsewhere.empty())
+            message += fmt::format("; it belongs to [{}]", fmt::join(elsewhere, "] or ["));
+        else
+            message += fmt::format("; known here: {}", fmt::join(keys, ", "));
+        tell_key(entry, std::move(message));
+    }
+
+    template <class T>
+    void read_value(const TomlEntry& entry, const TomlNode& node, const FieldText& field,
+                    std::optional<T>& result) {
+        T value{};
+        read_value(entry, node, field, value);
+        result = value;  // also if faulty: the key is given
+    }
+
+    template <class T>
+    void read_value(const TomlEntry& entry, const TomlNode& node, const FieldText& field,
+                    std::vector<T>& result) {
+        const bool listed = !entry.origin.empty() &&
+                            node.kind == TomlNode::Kind::string;  // --set apply_to=shear,area
+        if (node.kind != TomlNode::Kind::array && !listed)
+            return tell(entry, node,
+                        fmt::format("{} = {} must be a list, as in {}", field.key, shown(node),
+                                    field.example));
+        result.clear();
+        for (const TomlNode& item : listed ? listed_items(node.text) : node.items) {
+            result.emplace_back();
+            read_value(entry, item, field, result.back());
+        }
+    }
+};
+
+}  // namespace tt
