@@ -94,7 +94,8 @@ ViscosityModel viscosity_of(const Case& c, const Choice& choice, const Scales& s
     if (n.interior == "flood-fill") viscosity.interior = FloodFill{};
     if (n.interface_viscosity == "smoothed")
         viscosity.interface = SmoothedInterface{n.smoothing_width};
-    if (n.interface_viscosity == "area-fraction") viscosity.interface = AreaFraction{};
+    if (n.interface_viscosity == AreaFraction::name) viscosity.interface = AreaFraction{};
+    if (n.interface_viscosity == BlurredFraction::name) viscosity.interface = BlurredFraction{};
     viscosity.mean = HarmonicMean{};
     if (n.viscosity_mean == "arithmetic") viscosity.mean = ArithmeticMean{};
     if (n.collision == "bgk") {

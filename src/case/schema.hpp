@@ -319,7 +319,7 @@ struct FieldList<NumericsCase> {
                    "scan-line|flood-fill"},
         FieldEntry{"interface_viscosity", &T::interface_viscosity,
                    "how viscosity changes across the membrane", any_value,
-                   "sharp|smoothed|area-fraction"},
+                   "sharp|smoothed|area-fraction|blurred-fraction"},
         FieldEntry{"viscosity_mean", &T::viscosity_mean,
                    "viscosity of a site that holds both fluids", any_value, "harmonic|arithmetic"},
         FieldEntry{

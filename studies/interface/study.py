@@ -1,0 +1,107 @@
+#!/usr/bin/python3
+"""Candidates for the viscosity at a membrane: error of a cell in shear against the exact solution, order, cost.
+
+    studies/interface/study.py [--program build/release/tanktread] [--out results/interface] [-j 1] [--jobs 1]
+
+Runs what is not there yet (about half an hour on one core), then writes measured.csv, table.md and interface.svg beside this file.
+"""
+import dataclasses
+import math
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from common import Curve, draw, read_reference  # noqa: E402
+from sweep import Sweep, mean_of  # noqa: E402
+
+RATIO, SHEAR_NUMBER = 5, 0.2
+SPACINGS = (0.5, 1 / 3, 0.25, 0.2)  # um: 8, 12, 16 and 20 sites a radius
+QUANTITIES = {"D": "taylor_inertia", "strain": "strain", "kT": "tank_treading_kT", "inclination_deg": "inclination_deg"}
+
+
+@dataclasses.dataclass(frozen=True)
+class Candidate:
+    interface: str = "area-fraction"
+    mean: str = "harmonic"
+    corrected: bool = True
+    kernel: str = "peskin4"
+
+    @property
+    def name(self) -> str:
+        mean = "" if self.interface == "sharp" else f" {self.mean}"
+        return f"{self.interface}{mean}{', corrected' * self.corrected}{f', {self.kernel}' * (self.kernel != 'peskin4')}"
+
+
+CANDIDATES = [Candidate(*way, corrected) for corrected in (True, False)
+              for way in (("area-fraction", "harmonic"), ("area-fraction", "arithmetic"), ("blurred-fraction", "harmonic"),
+                          ("blurred-fraction", "arithmetic"), ("smoothed", "harmonic"), ("smoothed", "arithmetic"), ("sharp",))]
+CANDIDATES += [Candidate(kernel=kernel) for kernel in ("cosine4", "roma3", "hat2")]
+
+
+def describe(item):
+    candidate, dx = item
+    keys = {"numerics.dx": f"{dx:.12g} um", "numerics.interface_viscosity": candidate.interface,
+            "numerics.viscosity_mean": candidate.mean, "numerics.jump_correction": str(candidate.corrected).lower(),
+            "numerics.delta": candidate.kernel, "numerics.density_scale": 176, "output.frames": "80 ms"}
+    return f"{candidate.name.replace(', ', '-').replace(' ', '-')}-{dx:.4g}", keys, "03-cell-in-shear"
+
+
+def exact():
+    for row in read_reference("capsule_shear_channel40.csv"):
+        if float(row["viscosity_ratio"]) == RATIO and float(row["G"]) == SHEAR_NUMBER:
+            return {"D": float(row["D_inertia"]), **{name: float(row[name]) for name in ("strain", "kT", "inclination_deg")}}
+
+
+def measure(item, results):
+    """Errors in %, of the inclination in degrees; nan where the run became unstable."""
+    candidate, dx = item
+    row = {"candidate": candidate.name, "dx_um": round(dx, 4)}
+    for name, value in exact().items():
+        if results is None:
+            row[f"error_{name}"] = math.nan
+        elif name == "inclination_deg":
+            row[f"error_{name}"] = round(mean_of(results, QUANTITIES[name]) - value, 3)
+        else:
+            row[f"error_{name}"] = round(100.0 * (mean_of(results, QUANTITIES[name]) / value - 1.0), 3)
+    summary = results.summary if results else {}
+    row["us_per_step"] = round(1e6 * summary["wall_seconds"] / summary["steps"], 1) if results else math.nan
+    return row
+
+
+def orders(rows):
+    """Per candidate: errors from coarse to fine, and the order in h between 0.5 and 0.25 um."""
+    for candidate in CANDIDATES:
+        mine = [row for row in rows if row["candidate"] == candidate.name]
+        at = {row["dx_um"]: row for row in mine}
+        order = {name: math.log2(abs(at[0.5][f"error_{name}"] / at[0.25][f"error_{name}"])) for name in ("D", "strain", "kT")}
+        yield candidate, mine, order
+
+
+def table(rows):
+    head = ("candidate", *(f"ε at {dx:.3g} µm" for dx in SPACINGS), "order", *(f"D at {dx:.3g}" for dx in SPACINGS), "order",
+            "kT at 0.25", "order", "angle at 0.25", "µs a step at 0.25")
+    lines = [head, ("---",) * len(head)]
+    for candidate, mine, order in orders(rows):
+        at = {row["dx_um"]: row for row in mine}
+        fine = at[0.25]
+        lines.append((candidate.name, *(f"{row['error_strain']:+.2f} %" for row in mine), f"{order['strain']:.1f}",
+                      *(f"{row['error_D']:+.2f} %" for row in mine), f"{order['D']:.1f}", f"{fine['error_kT']:+.2f} %",
+                      f"{order['kT']:.1f}", f"{fine['error_inclination_deg']:+.2f}°", f"{fine['us_per_step']:.0f}"))
+    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
+
+
+def figure(sweep, rows):
+    curves = [Curve(candidate.name, f"with linespoints linetype {1 + k % 7} dashtype {1 if candidate.corrected else 2} "
+                                    f"pointtype {5 + k % 7}",
+                    [[row["dx_um"] for row in mine], [abs(row["error_strain"]) for row in mine]])
+              for k, (candidate, mine, _) in enumerate(orders(rows))]
+    curves.append(Curve("second order", "with lines linetype 7 dashtype 3", [[0.2, 0.5], [1.0, 6.25]]))
+    sweep.draw("interface", 'set logscale xy\nset xrange [0.19:0.53]\nset xtics (0.2, 0.25, 0.333, 0.5)\n'
+               'set xlabel "site spacing [µm]"\nset ylabel "|error of strain| [%]"\nset key outside right', curves, (820, 420))
+
+
+if __name__ == "__main__":
+    sweep = Sweep(__file__, __doc__)
+    rows = sweep.tabulate([(candidate, dx) for dx in SPACINGS for candidate in CANDIDATES], describe, measure)
+    (sweep.here / "table.md").write_text(table(rows))
+    figure(sweep, rows)
