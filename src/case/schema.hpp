@@ -295,6 +295,13 @@ struct FieldList<NumericsCase> {
                    Range{1.0, 1e4},
                    {},
                    "20"},
+        FieldEntry{"step_tolerance",
+                   &T::step_tolerance,
+                   "by how much the time step that auto takes may change D, strain, lambda_C and "
+                   "mu_rel; stability may ask for a shorter one",
+                   Range{1e-4, 0.2},
+                   {},
+                   "1 %"},
         FieldEntry{"node_spacing",
                    &T::node_spacing,
                    "of the membrane, in sites",
@@ -319,7 +326,7 @@ struct FieldList<NumericsCase> {
                    "scan-line|flood-fill"},
         FieldEntry{"interface_viscosity", &T::interface_viscosity,
                    "how viscosity changes across the membrane", any_value,
-                   "sharp|smoothed|area-fraction|blurred-fraction"},
+                   "sharp|smoothed|area-fraction"},
         FieldEntry{"viscosity_mean", &T::viscosity_mean,
                    "viscosity of a site that holds both fluids", any_value, "harmonic|arithmetic"},
         FieldEntry{

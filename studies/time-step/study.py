@@ -3,8 +3,8 @@
 
     studies/time-step/study.py [--program build/release/tanktread] [--out results/time-step] [-j 1] [--jobs 1]
 
-Runs what is not there yet (some twenty minutes on one core), then writes measured.csv beside this file; `limits.py` makes the
-table of limits and the figure of it.
+Runs what is not there yet (some twenty minutes on one core), then writes measured.csv, table.md and two figures beside this
+file.
 """
 import dataclasses
 import math
@@ -14,6 +14,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from common import Curve  # noqa: E402
 from runs import SHEAR_RATE_OF_G  # noqa: E402
 from sweep import Sweep, mean_of  # noqa: E402
 
@@ -30,6 +31,7 @@ class Item:
     tau: float = 1.5  # of the plasma
     dx: float = 0.5  # um
     seed: int = 1  # of the scene channel
+    ratio: float = 5  # of the viscosities
 
     @property
     def rate(self) -> float:
@@ -65,19 +67,21 @@ def channel(item):
 def describe(item):
     case, keys = (shear if item.scene == "shear" else channel)(item)
     keys |= {"numerics.dx": f"{item.dx} um", "numerics.relaxation_time": item.tau, "numerics.density_scale": f"{item.scale:.8g}",
-             "numerics.equilibrium": item.equilibrium}
+             "numerics.equilibrium": item.equilibrium, "cells.cytoplasm_viscosity": f"{1.2 * item.ratio:g} cP"}
     name = f"{item.scene}-{item.at:g}-{item.equilibrium}-S{item.scale:g}-tau{item.tau:g}-dx{item.dx:g}"
+    name += f"-ratio{item.ratio:g}" if item.ratio != 5 else ""
     return name + (f"-seed{item.seed}" if item.scene == "channel" else ""), keys, case
 
 
 def measure(item, results):
     speed = (0.5 * 40 if item.scene == "shear" else 1.5 * 20) * 1e-6 * item.rate
-    row = {"scene": item.scene, "at": item.at, "equilibrium": item.equilibrium, "dx_um": item.dx, "seed": item.seed,
+    row = {"scene": item.scene, "at": item.at, "equilibrium": item.equilibrium, "ratio": item.ratio, "dx_um": item.dx,
+           "seed": item.seed,
            "scale": item.scale, "tau": item.tau, "dt_us": round(1e6 * item.step, 5),
            "reynolds": round(item.scale * DENSITY * item.rate * RADIUS**2 / VISCOSITY, 6),
            "mach": round(math.sqrt(3.0) * speed * item.step / (item.dx * 1e-6), 6),
            "tension_number": round(3.0 * MODULUS * item.step / (VISCOSITY * item.dx * 1e-6), 6),
-           "k_dt": round(item.rate * item.step, 8)}
+           "k_dt": round(item.rate * item.step, 8), "delay": round((item.tau - 0.5) * speed * item.step / RADIUS, 8)}
     quantities = {"D": "taylor_inertia", "strain": "strain", "inclination_deg": "inclination_deg", "kT": "tank_treading_kT",
                   "mu_rel": "mu_rel"}
     for name, key in quantities.items():
@@ -108,9 +112,110 @@ def plan():
             items += [Item(scene, rate, "incompressible", scale, tau) for tau in (0.75, 1.0, 2.5, 4.5)]
             items += [Item(scene, rate, "incompressible", scale / (tau - 0.5), tau) for tau in (0.75, 1.0, 2.5)]
         items += series(scene, 500, "full", [1.75, 3.5, 7, 14, 28, 44, 66])
+    # what of it is due to the two viscosities; the grid
+    for ratio, dx in ((1, 0.5), (5, 0.25)):
+        items += [Item("row", 150, "incompressible", scale, tau, dx=dx, ratio=ratio)
+                  for scale, tau in ((14, 1.5), (28, 0.75), (28, 1.5), (28, 2.5), (28, 4.5))]
+    # twelve cells, where chance has its part
+    for seed in (1, 2, 3):
+        for equilibrium in ("incompressible", "linear"):
+            items += series("channel", 50, equilibrium, (293, 100), dx=0.4, seed=seed)
+        items += series("channel", 500, "incompressible", (26, 5), dx=0.5, seed=seed)
     return items
+
+
+def groups(rows):
+    """The rows of one scene, rate, equilibrium, ratio and grid together, in which only S and tau differ."""
+    found: dict = {}
+    for row in rows:
+        if row["scene"] != "channel":
+            found.setdefault(tuple(row[key] for key in ("scene", "at", "equilibrium", "ratio", "dx_um")), []).append(row)
+    return found
+
+
+def fit(rows, quantity, along):
+    """Least squares of quantity = q0 (1 + sum of c x) over the numbers `along`; q0, the c, and the largest misfit over q0.
+
+    Only where the changes are still small: Re up to 0.25, delays up to 0.01.
+    """
+    rows = [row for row in rows if row["reynolds"] < 0.25 and row["delay"] < 0.01 and math.isfinite(row[quantity])]
+    matrix = np.array([[1.0, *(row[x] for x in along)] for row in rows])
+    values = np.array([row[quantity] for row in rows])
+    solution = np.linalg.lstsq(matrix, values, rcond=None)[0]
+    return solution[0], solution[1:] / solution[0], np.abs(matrix @ solution - values).max() / solution[0]
+
+
+def table(rows):
+    head = ("scene", "G or rate", "equilibrium", "ratio", "h [µm]", *(f"{name}: Re, delay" for name in ("D", "ε", "kT", "λ_C", "μ_rel")),
+            "misfit of ε", "ε at k t = 4: Re")
+    lines = [head, ("---",) * len(head)]
+    for (scene, at, equilibrium, ratio, dx), mine in groups(rows).items():
+        along = ("reynolds", "delay") if len({row["tau"] for row in mine}) > 1 and scene != "shear" else ("reynolds",)
+        if len(mine) < len(along) + 2:
+            continue
+        fits = {name: fit(mine, name, along) for name in ("D", "strain", "kT", "mu_rel", "strain_at_kt4")}
+        base, slopes, misfit = fits["strain"]
+        fits["lambda_C"] = base, slopes * base / (1.0 + base), misfit
+        lines.append((scene, f"{at:g}", equilibrium, f"{ratio:g}", f"{dx:g}",
+                      *(", ".join(f"{c:+.3g}" for c in fits[name][1]) for name in ("D", "strain", "kT", "lambda_C", "mu_rel")),
+                      f"{100 * misfit:.2f} %", f"{fits['strain_at_kt4'][1][0]:+.3g}"))
+    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
+
+
+def chance_table(rows):
+    """Twelve cells: mean over the seeds and its standard error."""
+    rows = [row for row in rows if row["scene"] == "channel"]
+    lines = [("rate", "equilibrium", "S", "Re", "seeds", "λ_C", "μ_rel"), ("---",) * 7]
+    for key in dict.fromkeys((row["at"], row["equilibrium"], row["scale"]) for row in rows):
+        mine = [row for row in rows if (row["at"], row["equilibrium"], row["scale"]) == key and math.isfinite(row["mu_rel"])]
+        if len(mine) < 2:
+            continue
+        texts = []
+        for values in (np.array([1.0 + row["strain"] for row in mine]), np.array([row["mu_rel"] for row in mine])):
+            texts.append(f"{values.mean():.4f} ± {values.std(ddof=1) / math.sqrt(len(values)):.4f}")
+        lines.append((f"{key[0]:g} /s", key[1], f"{key[2]:g}", f"{mine[0]['reynolds']:.3f}", str(len(mine)), *texts))
+    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
+
+
+def curve(title, style, rows, quantity, along, keep):
+    """|change| of a quantity against a number, from what the fit gives at zero."""
+    zero = fit(rows, quantity, along)[0]
+    mine = sorted((row for row in rows if keep(row) and math.isfinite(row[quantity])), key=lambda row: row[along[0]])
+    return Curve(title, style, [[row[along[0]] for row in mine], [abs(100.0 * (row[quantity] / zero - 1.0)) for row in mine]])
+
+
+def figures(sweep, rows):
+    of, both, style = groups(rows), ("reynolds", "delay"), "with linespoints linetype {} pointtype {}"
+    main_tau = lambda row: row["tau"] == 1.5  # noqa: E731
+    curves = [curve("shear G = 0.05, linear, ε at k t = 4", style.format(1, 7), of["shear", 0.05, "linear", 5, 0.5],
+                    "strain_at_kt4", ("reynolds",), main_tau),
+              curve("shear G = 0.2, incompressible, ε", style.format(2, 7), of["shear", 0.2, "incompressible", 5, 0.5], "strain",
+                    ("reynolds",), main_tau),
+              curve("row 50 /s, linear, ε", style.format(5, 7), of["row", 50, "linear", 5, 0.5], "strain", ("reynolds",), main_tau)]
+    for k, (rate, at) in enumerate(((50, 3), (150, 4), (500, 6))):
+        mine = of["row", rate, "incompressible", 5, 0.5]
+        curves.append(curve(f"row {rate} /s, incompressible, ε", style.format(at, 5), mine, "strain", both, lambda row: row["tau"] == 0.75))
+        curves.append(curve(f"row {rate} /s, incompressible, μ_rel", style.format(at, 4) + " dashtype 2", mine, "mu_rel", both,
+                            lambda row: row["tau"] == 0.75))
+    curves.append(Curve("1 %", "with lines linetype 7 dashtype 3", [[0.01, 0.8], [1.0, 1.0]]))
+    sweep.draw("reynolds", 'set logscale xy\nset xlabel "S ρ k a^2/μ"\nset ylabel "change [%]"\nset key outside right\n'
+               'set yrange [0.05:100]', curves, (860, 420))
+    curves = []
+    for k, (scene, rate, ratio, dx) in enumerate((("row", 50, 5, 0.5), ("row", 150, 5, 0.5), ("row", 150, 5, 0.25), ("row", 150, 1, 0.5),
+                                                  ("row", 500, 5, 0.5), ("lanes", 150, 5, 0.5), ("lanes", 500, 5, 0.5))):
+        mine = of[scene, rate, "incompressible", ratio, dx]
+        zero, slopes, _ = fit(mine, "strain", both)
+        shown = sorted((row for row in mine if row["delay"] > 2e-4 and math.isfinite(row["strain"])), key=lambda row: row["delay"])
+        curves.append(Curve(f"{scene} {rate} /s, ratio {ratio}, h = {dx} µm", f"with points linetype {1 + k} pointtype {4 + k}",
+                            [[row["delay"] for row in shown],
+                             [-100.0 * (row["strain"] / zero - 1.0 - slopes[0] * row["reynolds"]) for row in shown]]))
+    curves.append(Curve("1 %", "with lines linetype 7 dashtype 3", [[2e-4, 0.05], [1.0, 1.0]]))
+    sweep.draw("delay", 'set logscale xy\nset xlabel "(τ - 1/2) V dt/a"\nset ylabel "change of ε without that of Re [%]"\n'
+               'set key outside right', curves, (860, 420))
 
 
 if __name__ == "__main__":
     sweep = Sweep(__file__, __doc__)
-    sweep.tabulate(plan(), describe, measure)
+    rows = sweep.tabulate(plan(), describe, measure)
+    (sweep.here / "table.md").write_text(table(rows) + "\n" + chance_table(rows))
+    figures(sweep, rows)
