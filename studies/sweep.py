@@ -5,6 +5,7 @@ import argparse
 import concurrent.futures
 import csv
 import pathlib
+import resource
 import shutil
 import subprocess
 
@@ -23,19 +24,25 @@ class Sweep:
         options.add_argument("--jobs", type=int, default=1, help="runs at a time")
         self.given = options.parse_args()
 
-    def run(self, name: str, keys: dict, case: str | None = None) -> Results | None:
+    def run(self, name: str, keys: dict, case: str | None = None, *options: str) -> Results | None:
         """A run of `case` (of cases/; else case.toml beside the script) with `keys`, made unless it is there.
 
-        None if it became unstable.
+        None if it became unstable. `options` of the program's verb run.
         """
         path = SOURCE / "cases" / case if case else self.here
         line = [self.given.program, "run", path / "case.toml", "-o", self.given.out / name, "-j", self.given.threads,
-                "--progress", "none"]
+                "--progress", "none", *options]
         line += [word for key, value in keys.items() for word in ("--set", f"{key}={value}")]
         made = subprocess.run([str(word) for word in line], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         if made.returncode not in (0, 3):  # 3: unstable, which is a result
             raise RuntimeError(f"{name}: {made.stderr}")
         return Results(self.given.out / name) if made.returncode == 0 else None
+
+    def processor_seconds(self, name: str, keys: dict, case: str | None = None) -> float:
+        """Time of the processor, not of the clock, that a run takes. Made anew, and nothing else may run meanwhile."""
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        self.run(name, keys, case, "--fresh")
+        return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
 
     def tabulate(self, plan: list, describe, measure, table: str = "measured.csv") -> list[dict]:
         """The rows `measure(item, results)` of each item of `plan`, whose run is `run(*describe(item))`.

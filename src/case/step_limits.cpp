@@ -18,7 +18,7 @@ constexpr double per_percent = 100.0;
 /// S ρ k a²/μ.
 double reynolds_of_one_percent(bool carried, bool inertia) {
     if (carried) return inertia ? 0.035 : 0.0055;
-    return inertia ? 0.014 : 0.2;
+    return inertia ? 0.013 : 0.2;
 }
 
 /// (τ − ½) V Δt/a, cells that are carried at V.

@@ -136,9 +136,11 @@ def groups(rows):
 def fit(rows, quantity, along):
     """Least squares of quantity = q0 (1 + sum of c x) over the numbers `along`; q0, the c, and the largest misfit over q0.
 
-    Only where the changes are still small: Re up to 0.25, delays up to 0.01.
+    Only where the changes are still small: Re up to 0.25, delays up to 0.01; along Re alone, the three smallest.
     """
     rows = [row for row in rows if row["reynolds"] < 0.25 and row["delay"] < 0.01 and math.isfinite(row[quantity])]
+    if len(along) == 1:
+        rows = sorted((row for row in rows if row["tau"] == 1.5), key=lambda row: row["reynolds"])[:3]
     matrix = np.array([[1.0, *(row[x] for x in along)] for row in rows])
     values = np.array([row[quantity] for row in rows])
     solution = np.linalg.lstsq(matrix, values, rcond=None)[0]
@@ -151,7 +153,7 @@ def table(rows):
     lines = [head, ("---",) * len(head)]
     for (scene, at, equilibrium, ratio, dx), mine in groups(rows).items():
         along = ("reynolds", "delay") if len({row["tau"] for row in mine}) > 1 and scene != "shear" else ("reynolds",)
-        if len(mine) < len(along) + 2:
+        if len({row["scale"] for row in mine}) < 3:
             continue
         fits = {name: fit(mine, name, along) for name in ("D", "strain", "kT", "mu_rel", "strain_at_kt4")}
         base, slopes, misfit = fits["strain"]
@@ -195,11 +197,11 @@ def figures(sweep, rows):
     for k, (rate, at) in enumerate(((50, 3), (150, 4), (500, 6))):
         mine = of["row", rate, "incompressible", 5, 0.5]
         curves.append(curve(f"row {rate} /s, incompressible, ε", style.format(at, 5), mine, "strain", both, lambda row: row["tau"] == 0.75))
-        curves.append(curve(f"row {rate} /s, incompressible, μ_rel", style.format(at, 4) + " dashtype 2", mine, "mu_rel", both,
+        curves.append(curve(f"row {rate} /s, incompressible, μ_{{rel}}", style.format(at, 4) + " dashtype 2", mine, "mu_rel", both,
                             lambda row: row["tau"] == 0.75))
     curves.append(Curve("1 %", "with lines linetype 7 dashtype 3", [[0.01, 0.8], [1.0, 1.0]]))
     sweep.draw("reynolds", 'set logscale xy\nset xlabel "S ρ k a^2/μ"\nset ylabel "change [%]"\nset key outside right\n'
-               'set yrange [0.05:100]', curves, (860, 420))
+               'set yrange [0.05:100]\nset xrange [0.005:1]', curves, (860, 420))
     curves = []
     for k, (scene, rate, ratio, dx) in enumerate((("row", 50, 5, 0.5), ("row", 150, 5, 0.5), ("row", 150, 5, 0.25), ("row", 150, 1, 0.5),
                                                   ("row", 500, 5, 0.5), ("lanes", 150, 5, 0.5), ("lanes", 500, 5, 0.5))):
