@@ -43,7 +43,6 @@ Membrane membrane_of(const MembraneCase& m, const Scales& scales) {
         membrane.bending = CurrentCurvature{bending};
     }
     membrane.hardening = hardening_of(m.hardening);
-    if (m.area_stiffness) membrane.area_stiffness = scales.to_lattice(*m.area_stiffness);
     membrane.hold_area = m.hold_area;
     return membrane;
 }

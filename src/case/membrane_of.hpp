@@ -9,8 +9,8 @@ namespace tt {
 /// The hardening that a case describes. Numbers without dimension.
 Hardening hardening_of(const HardeningCase& h);
 
-/// The membrane that a case describes, in the units of `scales`; SI with Scales{}. Area stiffness
-/// only where the case gives one.
+/// The membrane that a case describes, in the units of `scales`; SI with Scales{}. Its area
+/// stiffness is left to who chooses it.
 Membrane membrane_of(const MembraneCase& m, const Scales& scales);
 
 }  // namespace tt
