@@ -65,17 +65,17 @@ void bound(const Choice& choice, const Model& model, Appraisal& a) {
     const std::string at = fmt::format("at stretch {:.3g}", stretch);
     a.bounds.push_back({"membrane tension",
                         tension_step_number(tension_slope(membrane, stretch), viscosity, 1.0, 1.0),
-                        tension_step_limit, "T' dt / (mu dx), mean mu, " + at});
+                        tension_step_limit, "T' dt/(mu dx) " + at});
     a.bounds.push_back(
         {"bending", bending_step_number(bending_modulus(membrane, stretch), viscosity, 1.0, 1.0),
-         bending_step_limit, "E_b dt / (mu dx^3), " + at});
+         bending_step_limit, "E_b dt/(mu dx^3) " + at});
     if (membrane.hold_area) return;  // the area cannot run away
     const double cell_stretch = expected_cell_stretch(stretch);
     a.bounds.push_back({"area pressure",
                         area_step_number(area_stiffness(membrane, cell_stretch),
                                          model.viscosity.plasma, choice.relaxation_time, 1.0),
                         area_step_limit,
-                        fmt::format("k_p (tau - 1/2) dt / mu, at lambda_C {:.3g}", cell_stretch)});
+                        fmt::format("k_p (tau-1/2) dt/mu at {:.3g}", cell_stretch)});
 }
 
 /// frames.h5: three pairs of doubles a node, four floats a site (io/frames.hpp); tables: some 14

@@ -21,6 +21,9 @@ double reynolds_of_one_percent(bool carried, bool inertia) {
     return inertia ? 0.013 : 0.2;
 }
 
+/// S ρ E_s a/μ², fluid at rest.
+constexpr double relaxation_of_one_percent = 0.6;
+
 /// (τ − ½) V Δt/a, cells that are carried at V.
 constexpr double delay_of_one_percent = 0.0025;
 
@@ -33,17 +36,28 @@ public:
     Limits(const Case& c, const Undisturbed& flow, Length dx, double tau)
         : case_(c), flow_(flow), dx_(dx.si), half_step_(tau - 0.5) {}
 
-    void add_reynolds(const std::string& equilibrium) {
+    /// Inertia of a flow at the shear rate `rate` around a cell, S ρ `rate` a²/μ, with what it is
+    /// called.
+    void add_reynolds(double rate, double of_one_percent, const char* number) {
         const double radius = equivalent_radius(case_).si, mu = viscosity();
-        const double physical = density() * flow_.shear_rate.si * radius * radius / mu;
-        const double limit = tolerance() * per_percent *
-                             reynolds_of_one_percent(carries_cells(case_), equilibrium != "linear");
+        const double physical = density() * rate * radius * radius / mu;
+        const double limit = tolerance() * per_percent * of_one_percent;
         // Below S = 1 there is nothing to gain.
         const double scale = std::max(1.0, limit / physical);
-        add_accuracy("Reynolds number", half_step_ * dx_ * dx_ * density() / (3.0 * mu) * scale,
-                     fmt::format("cell Reynolds number S rho k a^2 / mu <= {:.2g} (physical: "
-                                 "{:.2g})",
-                                 limit, physical));
+        add_accuracy(
+            "Reynolds number", half_step_ * dx_ * dx_ * density() / (3.0 * mu) * scale,
+            fmt::format("{} <= {:.2g} (physical: {:.2g}): inertia", number, limit, physical));
+    }
+
+    void add_flow_reynolds(const std::string& equilibrium) {
+        add_reynolds(flow_.shear_rate.si,
+                     reynolds_of_one_percent(carries_cells(case_), equilibrium != "linear"),
+                     "cell Reynolds number S rho k a^2 / mu");
+    }
+
+    void add_relaxation_reynolds() {
+        add_reynolds(case_.membrane.shear_modulus.si / (viscosity() * equivalent_radius(case_).si),
+                     relaxation_of_one_percent, "S rho E_s a / mu^2 of a cell that relaxes");
     }
 
     void add_delay() {
@@ -137,7 +151,8 @@ std::vector<StepLimit> step_limits(const Case& c, const Undisturbed& flow,
                                    double stretch, const Membrane& membrane) {
     Limits limits(c, flow, dx, tau);
     const bool moves = flow.shear_rate.si > 0.0, cells = !c.numerics.fluid_only;
-    if (moves && cells) limits.add_reynolds(equilibrium);
+    if (moves && cells) limits.add_flow_reynolds(equilibrium);
+    if (!moves && cells) limits.add_relaxation_reynolds();
     if (moves && carries_cells(c)) limits.add_delay();
     if (moves && cells && c.flow.drive == "pressure" && equilibrium == "full")
         limits.add_density_drop();

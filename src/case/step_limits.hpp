@@ -44,8 +44,9 @@ bool carries_cells(const Case& c);
 /// The largest stretch that a membrane segment is expected to come to. Its tension is of the order
 /// μ k a, k the largest shear rate of the undisturbed flow: in all runs of studies/time-step below
 /// 3.5 E_s G^{4/5} with G = μ k a/E_s (shear, hardened or not, G 0.0125 to 0.2, viscosity ratio 1
-/// and 5: 47 to 95 % of it; one and two cells in the channel 41 to 52 %, twelve at 50 /s 71 %). The
-/// stretch follows from the law, T(λ) α(λ). At rest: what the start stretches it to.
+/// and 5: 47 to 95 % of it; one and two cells in the channel 41 to 52 %, twelve 71 % at 50 /s and
+/// 97 % at 500 /s). The stretch follows from the law, T(λ) α(λ). At rest: what the start stretches
+/// it to.
 double expected_stretch(const Case& c, const Undisturbed& flow, const Membrane& membrane);
 
 /// That of a whole cell, λ_C: ε was 63 to 72 % of the largest of its segments; three quarters.
