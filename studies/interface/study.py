@@ -11,10 +11,12 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from common import Curve, draw, read_reference  # noqa: E402
+from common import Curve, read_reference  # noqa: E402
+from runs import SHEAR_RATE_OF_G  # noqa: E402
 from sweep import Sweep, mean_of  # noqa: E402
 
 RATIO, SHEAR_NUMBER = 5, 0.2
+STRAINED = {0.05: (14, 11), 0.2: (20, 16), 0.5: (27, 22)}  # k t at the end, and from where averages are taken
 SPACINGS = (0.5, 1 / 3, 0.25)  # um: 8, 12 and 16 sites a radius; 0.2 um: 20
 QUANTITIES = {"D": "taylor_inertia", "strain": "strain", "kT": "tank_treading_kT", "inclination_deg": "inclination_deg"}
 
@@ -41,24 +43,25 @@ FINEST = (WAYS[0], WAYS[1])  # at 0.2 um too
 
 
 def describe(item):
-    candidate, dx = item
-    keys = {"numerics.dx": f"{dx:.12g} um", "numerics.interface_viscosity": candidate.interface,
+    candidate, dx, shear_number = item
+    end, start = (1e3 * k_t / (SHEAR_RATE_OF_G * shear_number) for k_t in STRAINED[shear_number])
+    keys = {"flow.shear_number": shear_number, "time.end": f"{end:g} ms", "time.average_from": f"{start:g} ms", "numerics.dx": f"{dx:.12g} um", "numerics.interface_viscosity": candidate.interface,
             "numerics.viscosity_mean": candidate.mean, "numerics.jump_correction": str(candidate.corrected).lower(),
-            "numerics.delta": candidate.kernel, "numerics.density_scale": 176, "output.frames": "80 ms"}
-    return f"{candidate.name.replace(', ', '-').replace(' ', '-')}-{dx:.4g}", keys, "03-cell-in-shear"
+            "numerics.delta": candidate.kernel, "numerics.density_scale": f"{35.2 / shear_number:g}", "output.frames": f"{end:g} ms"}
+    return f"{candidate.name.replace(', ', '-').replace(' ', '-')}-{dx:.4g}-G{shear_number:g}", keys, "03-cell-in-shear"
 
 
-def exact():
+def exact(shear_number):
     for row in read_reference("capsule_shear_channel40.csv"):
-        if float(row["viscosity_ratio"]) == RATIO and float(row["G"]) == SHEAR_NUMBER:
+        if float(row["viscosity_ratio"]) == RATIO and float(row["G"]) == shear_number:
             return {"D": float(row["D_inertia"]), **{name: float(row[name]) for name in ("strain", "kT", "inclination_deg")}}
 
 
 def measure(item, results):
     """Errors in %, of the inclination in degrees; nan where the run became unstable."""
-    candidate, dx = item
-    row = {"candidate": candidate.name, "dx_um": round(dx, 4)}
-    for name, value in exact().items():
+    candidate, dx, shear_number = item
+    row = {"candidate": candidate.name, "G": shear_number, "dx_um": round(dx, 4)}
+    for name, value in exact(shear_number).items():
         if results is None:
             row[f"error_{name}"] = math.nan
         elif name == "inclination_deg":
@@ -71,7 +74,7 @@ def measure(item, results):
 def orders(rows):
     """Per candidate: errors from coarse to fine, and the order in h between 0.5 and 0.25 um."""
     for candidate in CANDIDATES:
-        mine = [row for row in rows if row["candidate"] == candidate.name]
+        mine = [row for row in rows if row["candidate"] == candidate.name and row["G"] == SHEAR_NUMBER]
         at = {row["dx_um"]: row for row in mine}
         order = {name: math.log2(abs(at[0.5][f"error_{name}"] / at[0.25][f"error_{name}"])) for name in ("D", "strain", "kT")}
         yield candidate, mine, order
@@ -79,7 +82,7 @@ def orders(rows):
 
 def cost(sweep, candidate):
     """us of the processor a step at h = 0.25 um: the difference of two short runs, the lesser of two tries."""
-    name, keys, case = describe((candidate, 0.25))
+    name, keys, case = describe((candidate, 0.25, SHEAR_NUMBER))
     dt = 3.12e-3  # ms: S = 176
     seconds = {steps: min(sweep.processor_seconds(f"cost-{name}-{steps}", {
         **keys, "time.end": f"{steps * dt:.6g} ms", "time.average_from": "0 ms", "output.series": "1 ms", "output.frames": "10 ms"}, case)
@@ -112,7 +115,9 @@ def figure(sweep, rows):
 
 if __name__ == "__main__":
     sweep = Sweep(__file__, __doc__)
-    plan = [(candidate, dx) for dx in SPACINGS for candidate in CANDIDATES] + [(candidate, 0.2) for candidate in FINEST]
+    plan = [(candidate, dx, SHEAR_NUMBER) for dx in SPACINGS for candidate in CANDIDATES]
+    plan += [(candidate, 0.2, SHEAR_NUMBER) for candidate in FINEST]
+    plan += [(candidate, dx, shear_number) for shear_number in (0.05, 0.5) for dx in SPACINGS[:2] for candidate in FINEST]
     rows = sweep.tabulate(plan, describe, measure)
     costs = {candidate: cost(sweep, candidate) for candidate in CANDIDATES}
     (sweep.here / "table.md").write_text(table(rows, costs))
