@@ -121,8 +121,7 @@ struct NumericsCase {
     std::string equilibrium = "auto";    ///< auto | linear (Stokes) | incompressible | full (Eq. 2)
     std::string delta = "peskin4";       ///< cosine4 | hat2 | roma3 | peskin4
     std::string interior = "scan-line";  ///< scan-line | flood-fill
-    std::string interface_viscosity =
-        "area-fraction";  ///< sharp | smoothed | area-fraction
+    std::string interface_viscosity = "area-fraction";  ///< sharp | smoothed | area-fraction
     std::string viscosity_mean =
         "harmonic";  ///< harmonic | arithmetic, of a site that holds both fluids
     bool jump_correction =
