@@ -127,8 +127,6 @@ BENCHMARK_CAPTURE(update_viscosity_with, area_fraction_every_step, AreaFraction{
 BENCHMARK_CAPTURE(update_viscosity_with, sharp, SharpInterface{}, 0.05)->TT_BENCH_CHANNELS;
 BENCHMARK_CAPTURE(update_viscosity_with, smoothed, SmoothedInterface{2.0}, 0.05)->TT_BENCH_CHANNELS;
 BENCHMARK_CAPTURE(update_viscosity_with, area_fraction, AreaFraction{}, 0.05)->TT_BENCH_CHANNELS;
-BENCHMARK_CAPTURE(update_viscosity_with, blurred_every_step, BlurredFraction{1}, 0.0)
-    ->TT_BENCH_CHANNELS;
 BENCHMARK(pair_forces)->TT_BENCH_CHANNELS;
 BENCHMARK(overlaps)->TT_BENCH_CHANNELS;
 BENCHMARK(self_crossings)->TT_BENCH_CHANNELS;

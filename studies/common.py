@@ -212,6 +212,26 @@ class Curve:
     columns: list  # of equal length
 
 
+def draw(out: pathlib.Path, name: str, commands: str, curves: list[Curve], size=(480, 330)) -> None:
+    """Writes NAME.dat (a block a curve) and NAME.gp into `out`, and draws NAME.svg there with gnuplot."""
+    out.mkdir(parents=True, exist_ok=True)
+    style = SOURCE / "src/report/assets/style.gp"
+    (out / "style.gp").write_text(style.read_text())
+    blocks, plots = [], []
+    for curve in curves:
+        rows = [row for row in zip(*curve.columns)]
+        lines = ["" if np.isnan(row).all() else " ".join(f"{value:.6g}" for value in row) for row in rows]
+        title = curve.title.replace("'", "''")
+        plots.append(f"'{name}.dat' index {len(blocks)} {curve.style} " + (f"title '{title}'" if title else "notitle"))
+        blocks.append(f"# {curve.title or 'untitled'}\n" + "\n".join(lines) + "\n")
+    (out / f"{name}.dat").write_text("\n\n".join(blocks))
+    script = (f'load "style.gp"\nset terminal svg size {size[0]},{size[1]} dynamic background "white" '
+              f'font "DejaVu Sans,Verdana,sans-serif,11"\nset output "{name}.svg"\n{commands}\n'
+              + ("" if not plots else "plot " + ", \\\n     ".join(plots) + "\n"))
+    (out / f"{name}.gp").write_text(script)
+    subprocess.run(["gnuplot", f"{name}.gp"], cwd=out, check=True)
+
+
 class Study:
     """One folder of studies/ at work: its plan, the runs already made, and where its figures go."""
 
@@ -231,23 +251,7 @@ class Study:
         return [self.load(run) for run in runs]
 
     def draw(self, name: str, caption: str, commands: str, curves: list[Curve], size=(480, 330)) -> None:
-        """Writes NAME.dat (a block a curve) and NAME.gp, and draws NAME.svg with gnuplot."""
-        self.out.mkdir(parents=True, exist_ok=True)
-        style = SOURCE / "src/report/assets/style.gp"
-        (self.out / "style.gp").write_text(style.read_text())
-        blocks, plots = [], []
-        for curve in curves:
-            rows = [row for row in zip(*curve.columns)]
-            lines = ["" if np.isnan(row).all() else " ".join(f"{value:.6g}" for value in row) for row in rows]
-            title = curve.title.replace("'", "''")
-            plots.append(f"'{name}.dat' index {len(blocks)} {curve.style} " + (f"title '{title}'" if title else "notitle"))
-            blocks.append(f"# {curve.title or 'untitled'}\n" + "\n".join(lines) + "\n")
-        (self.out / f"{name}.dat").write_text("\n\n".join(blocks))
-        script = (f'load "style.gp"\nset terminal svg size {size[0]},{size[1]} dynamic background "white" '
-                  f'font "DejaVu Sans,Verdana,sans-serif,11"\nset output "{name}.svg"\n{commands}\n'
-                  + ("" if not plots else "plot " + ", \\\n     ".join(plots) + "\n"))
-        (self.out / f"{name}.gp").write_text(script)
-        subprocess.run(["gnuplot", f"{name}.gp"], cwd=self.out, check=True)
+        draw(self.out, name, commands, curves, size)
         self.figures[name] = caption
 
 

@@ -67,6 +67,11 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
     print_line("time step",
                fmt::format("{}, {} steps to {}; {}", rounded_text(choice.dt), with_spaces(a.steps),
                            to_text(c.time.end), chosen ? "set by the " + limit.name : "as given"));
+    if (const double change = choice.expected_change(); change > 0.0)
+        print_line("what it changes",
+                   fmt::format("D, strain, lambda_C and mu_rel by less than {:.2g} % (measured in "
+                               "studies/time-step); numerics.step_tolerance is {:.3g} %",
+                               100.0 * change, 100.0 * c.numerics.step_tolerance));
     print_line(
         "relaxation time",
         a.tau_cytoplasm > a.tau_plasma
@@ -171,8 +176,14 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
     j["reynolds_channel"] = a.channel_reynolds;
     j["mach"] = a.mach;
     j["transits"] = a.transits;
+    j["step_tolerance"] = c.numerics.step_tolerance;
+    j["expected_change"] = choice.expected_change();
+    j["expected_stretch"] = choice.expected_stretch;
     for (const StepLimit& l : choice.limits)
-        j["step_limits"].push_back({{"name", l.name}, {"dt_s", l.step.si}, {"reason", l.reason}});
+        j["step_limits"].push_back({{"name", l.name},
+                                    {"dt_s", l.step.si},
+                                    {"reason", l.reason},
+                                    {"kind", l.change > 0.0 ? "accuracy" : "stability"}});
     for (const Bound& b : a.bounds)
         j["stability"].push_back({{"name", b.name},
                                   {"value", b.value},

@@ -17,21 +17,6 @@ namespace {
 constexpr double mach_limit =
     0.3;  // beyond, the error of compressibility, of order Ma², passes a tenth
 
-/// T'(1) of the in-plane law, by a central difference; T(1) if that is larger, as in a drop.
-double tension_slope(const Membrane& membrane) {
-    constexpr double step = 1e-5;
-    return std::visit(
-        [](const auto& law) {
-            const double slope = (law.tension(1.0 + step) - law.tension(1.0 - step)) / (2.0 * step);
-            return std::max(slope, law.tension(1.0));
-        },
-        membrane.in_plane);
-}
-
-double bending_modulus(const Membrane& membrane) {
-    return std::visit([](const auto& law) { return law.modulus; }, membrane.bending);
-}
-
 void count_all(const Case& c, const Choice& choice, const State& initial, Appraisal& a) {
     const Suspension& cells = initial.cells;
     a.sites = static_cast<std::int64_t>(choice.nx) * choice.ny;
@@ -70,18 +55,27 @@ void characterise(const Case& c, const Choice& choice, const Model& model, Appra
     a.cell_reynolds_run = choice.density_scale * a.cell_reynolds;
 }
 
-void bound(const Model& model, Appraisal& a) {
+void bound(const Choice& choice, const Model& model, Appraisal& a) {
     a.bounds.push_back({"Mach number", a.mach, mach_limit, "largest speed / speed of sound"});
     if (a.cells == 0) return;
     // The fluids on both sides slow a membrane down.
     const double viscosity = 0.5 * (model.viscosity.plasma + model.viscosity.cytoplasm);
+    const Membrane& membrane = model.membrane;
+    const double stretch = choice.expected_stretch;
+    const std::string at = fmt::format("at stretch {:.3g}", stretch);
     a.bounds.push_back({"membrane tension",
-                        tension_step_number(tension_slope(model.membrane), viscosity),
-                        tension_step_limit, "T'(1) dt / (mu dx), mean mu"});
-    a.bounds.push_back({"bending", bending_step_number(bending_modulus(model.membrane), viscosity),
-                        bending_step_limit, "E_b dt / (mu dx^3)"});
-    a.bounds.push_back({"area pressure", area_step_number(model.membrane.area_stiffness),
-                        area_step_limit, "k_p (tau - 1/2) dt / mu"});
+                        tension_step_number(tension_slope(membrane, stretch), viscosity, 1.0, 1.0),
+                        tension_step_limit, "T' dt/(mu dx) " + at});
+    a.bounds.push_back(
+        {"bending", bending_step_number(bending_modulus(membrane, stretch), viscosity, 1.0, 1.0),
+         bending_step_limit, "E_b dt/(mu dx^3) " + at});
+    if (membrane.hold_area) return;  // the area cannot run away
+    const double cell_stretch = expected_cell_stretch(stretch);
+    a.bounds.push_back({"area pressure",
+                        area_step_number(area_stiffness(membrane, cell_stretch),
+                                         model.viscosity.plasma, choice.relaxation_time, 1.0),
+                        area_step_limit,
+                        fmt::format("k_p (tau-1/2) dt/mu at {:.3g}", cell_stretch)});
 }
 
 /// frames.h5: three pairs of doubles a node, four floats a site (io/frames.hpp); tables: some 14
@@ -156,30 +150,22 @@ void advise_on_step(const Case& c, const Choice& choice, const Appraisal& a, Adv
             choice.relaxation_time);
 }
 
-void advise_on_inertia(const Case& c, const Choice& choice, const Appraisal& a, Adviser& adviser) {
-    const bool channel = a.transits > 0.0;
-    // Without advection a cell that is carried along at V feels inertia at S rho V a / mu; at 0.3
-    // its migration was seen to be 15 % too slow (docs/theory/fluid.md, studies/migration).
-    const double carried = choice.density_scale * c.plasma.density.si * choice.largest_speed.si *
-                           equivalent_radius(c).si / c.plasma.viscosity.si;
-    if (a.cells > 0 && channel && choice.equilibrium == "linear" && carried > 0.3)
+/// A step that the user gave, longer than a limit of accuracy allows.
+void advise_on_change(const Case& c, const Choice& choice, const Appraisal& a, Adviser& adviser) {
+    for (const StepLimit& limit : choice.limits) {
+        const double change = limit.change * (choice.dt.si / limit.step.si);
+        if (change < 1.01 * c.numerics.step_tolerance || limit.change == 0.0) continue;
+        if (choice.density_scale <= 1.0 + 1e-9) continue;  // what it does is physics
         adviser.consider(
-            "With equilibrium = \"linear\" and density scale {:.3g} a cell that the flow carries "
-            "along feels its own speed, at Reynolds number {:.2g}, which slows its way to the "
-            "middle. Write equilibrium = \"incompressible\" or density_scale = {:.2g}.",
-            choice.density_scale, carried, std::max(1.0, 0.3 * choice.density_scale / carried));
-    if (a.cells > 0 && !channel && choice.density_scale > 200.0 && c.flow.drive == "shear")
-        adviser.consider(
-            "Density scale {:.3g}: up to 200 the steady answer in shear stays within 1 %. Write "
-            "density_scale = 200.",
-            choice.density_scale);
-    if (choice.equilibrium != "linear" && a.cell_reynolds_run > (channel ? 0.35 : 0.1))
-        adviser.consider(
-            "With equilibrium = \"{}\" inertia acts at the raised Reynolds number {:.2g}; physical "
-            "is {:.2g}. "
-            "Write density_scale = {:.3g}{}.",
-            choice.equilibrium, a.cell_reynolds_run, a.cell_reynolds,
-            std::max(1.0, 0.1 / a.cell_reynolds), channel ? "" : " or equilibrium = \"linear\"");
+            "The time step may change D, strain, lambda_C and mu_rel by {:.2g} %, by its {} ({}). "
+            "Write dt = \"{}\", or leave dt and density_scale out.",
+            100.0 * change, limit.name, limit.reason, rounded_text(limit.step, 2));
+    }
+    if (a.cells == 0 || a.transits == 0.0 || choice.equilibrium != "linear") return;
+    adviser.consider(
+        "With equilibrium = \"linear\" and a raised density a cell that the flow carries along "
+        "feels its own speed, which slows its way to the middle. Write equilibrium = "
+        "\"incompressible\".");
 }
 
 void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& a,
@@ -253,11 +239,11 @@ Appraisal appraise(const Case& c, const Choice& choice, const Model& model, cons
     Appraisal a;
     count_all(c, choice, initial, a);
     characterise(c, choice, model, a);
-    bound(model, a);
+    bound(choice, model, a);
     size_output(c, a);
     Adviser adviser(a);
     advise_on_step(c, choice, a, adviser);
-    advise_on_inertia(c, choice, a, adviser);
+    advise_on_change(c, choice, a, adviser);
     advise_on_resolution(c, choice, a, adviser);
     advise_on_physics(c, a, adviser);
     return a;

@@ -113,6 +113,8 @@ struct NumericsCase {
     std::optional<double> relaxation_time;  ///< τ of the plasma
     std::optional<double>
         density_scale;  ///< S: the simulation runs at S times the density (Reynolds number × S)
+    double step_tolerance =
+        0.01;  ///< by how much the step that `auto` takes may change D, ε, λ_C and μ_rel
     std::optional<double> node_spacing;  ///< in sites
     std::string collision = "trt";       ///< trt | bgk
     double magic = 3.0 / 16.0;           ///< Λ of TRT

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "membrane/stability.hpp"
+#include "case/membrane_of.hpp"
 
 namespace tt {
 namespace {
@@ -41,63 +40,33 @@ void choose_grid(const Case& c, Choice& choice) {
     }
 }
 
-/// The undisturbed flow: nominal shear rate, largest speed, pressure gradient.
-void choose_flow(const Case& c, Choice& choice) {
+/// Nominal shear rate, largest speed, pressure gradient.
+Undisturbed choose_flow(const Case& c, Choice& choice) {
     const double width = c.domain.width.si, viscosity = c.plasma.viscosity.si;
     const FlowCase& flow = c.flow;
+    Rate wall_rate;
     if (flow.drive == "shear") {
         const double k = flow.shear_rate
                              ? flow.shear_rate->si
                              : flow.shear_number.value_or(0.0) * c.membrane.shear_modulus.si /
                                    (viscosity * equivalent_radius(c).si);
-        choice.shear_rate = Rate{k};
+        choice.shear_rate = wall_rate = Rate{k};
         choice.largest_speed = Velocity{0.5 * k * width};
     } else if (flow.drive != "none") {
-        // Poiseuille: U = g H²/(12 μ), largest speed 3/2 U.
+        // Poiseuille: U = g H²/(12 μ), largest speed 3/2 U, shear rate at the walls 6 U/H.
         const double k = flow.pseudo_shear_rate
                              ? flow.pseudo_shear_rate->si
                              : flow.pressure_gradient->si * width / (12.0 * viscosity);
         choice.shear_rate = Rate{k};
+        wall_rate = Rate{6.0 * k};
         choice.largest_speed = Velocity{1.5 * k * width};
         choice.pressure_gradient = PressureGradient{12.0 * viscosity * k / width};
     }
-}
-
-/// Time steps that each limit of `auto` allows at relaxation time τ, the tightest first. At fixed
-/// τ, Δt ∝ S.
-std::vector<StepLimit> step_limits(const Case& c, const Choice& choice, double tau) {
-    std::vector<StepLimit> limits;
-    const double dx = choice.dx.si, rho = c.plasma.density.si, mu = c.plasma.viscosity.si;
-    const double radius = equivalent_radius(c).si, k = choice.shear_rate.si;
-    const double step_of_unit_scale = (tau - 0.5) / 3.0 * dx * dx * rho / mu;
-    if (k > 0.0 && !c.numerics.fluid_only) {
-        const double reynolds = rho * k * radius * radius / mu;
-        limits.push_back(
-            {"Reynolds number", Time{step_of_unit_scale * auto_cell_reynolds / reynolds},
-             fmt::format("cell Reynolds number S rho k a^2 / mu <= {} (physical: {:.2g})",
-                         auto_cell_reynolds, reynolds)});
-    }
-    if (k > 0.0) {
-        limits.push_back({"Mach number",
-                          Time{auto_mach / std::sqrt(3.0) * dx / choice.largest_speed.si},
-                          fmt::format("largest speed {:.3g} mm/s at Mach <= {}",
-                                      choice.largest_speed.si * 1e3, auto_mach)});
-    }
-    if (!c.numerics.fluid_only) {
-        const double slope = 3.0 * c.membrane.shear_modulus.si;
-        limits.push_back({"membrane tension", Time{auto_tension_step_number * mu * dx / slope},
-                          fmt::format("tension step number 3 E_s dt / (mu dx) <= {}",
-                                      auto_tension_step_number)});
-    }
-    if (limits.empty())
-        limits.push_back({"none", Time{step_of_unit_scale}, "nothing moves: S = 1"});
-    std::sort(limits.begin(), limits.end(),
-              [](const auto& a, const auto& b) { return a.step.si < b.step.si; });
-    return limits;
+    return {choice.shear_rate, wall_rate, choice.largest_speed};
 }
 
 /// Of Δt, τ and S: what is given stays, the rest follows.
-void choose_step(const Case& c, Choice& choice) {
+void choose_step(const Case& c, const Undisturbed& flow, Choice& choice) {
     const NumericsCase& n = c.numerics;
     const double dx = choice.dx.si, rho = c.plasma.density.si, mu = c.plasma.viscosity.si;
     const double unit = dx * dx * rho / (3.0 * mu);  // Δt = (τ − ½) S unit
@@ -115,7 +84,10 @@ void choose_step(const Case& c, Choice& choice) {
         n.dt && n.density_scale ? 0.5 + n.dt->si / (*n.density_scale * unit)
                                 : auto_relaxation_time);
     const double half_step = choice.relaxation_time - 0.5;
-    choice.limits = step_limits(c, choice, choice.relaxation_time);
+    const Membrane membrane = membrane_of(c.membrane, Scales{});
+    choice.expected_stretch = expected_stretch(c, flow, membrane);
+    choice.limits = step_limits(c, flow, choice.equilibrium, choice.dx, choice.relaxation_time,
+                                choice.expected_stretch, membrane);
     choice.dt = n.dt              ? *n.dt
                 : n.density_scale ? Time{half_step * *n.density_scale * unit}
                                   : choice.limits.front().step;
@@ -126,15 +98,18 @@ void choose_step(const Case& c, Choice& choice) {
 /// (docs/theory/fluid.md); at rest in a shear flow it is better off without inertia.
 std::string choose_equilibrium(const Case& c) {
     if (c.numerics.equilibrium != "auto") return c.numerics.equilibrium;
-    const bool carried = c.flow.drive != "shear" && c.flow.drive != "none";
-    return carried && !c.numerics.fluid_only ? "incompressible" : "linear";
+    return carries_cells(c) ? "incompressible" : "linear";
 }
 
-/// k_p: well within what the lattice fluid's compressibility allows, at most 10 kPa.
+/// k_p: well within what the lattice fluid's compressibility allows, at most 10 kPa. Of a cell
+/// whose area is held it does not matter.
 Pressure choose_area_stiffness(const Case& c, const Choice& choice) {
     if (c.membrane.area_stiffness) return *c.membrane.area_stiffness;
     const double fluid = c.plasma.viscosity.si / ((choice.relaxation_time - 0.5) * choice.dt.si);
-    return Pressure{std::min(1e4, auto_area_step_number * fluid)};
+    const Hardening hardening = hardening_of(c.membrane.hardening);
+    const double alpha =
+        hardening.area ? hardening(expected_cell_stretch(choice.expected_stretch)) : 1.0;
+    return Pressure{std::min(1e4, std::min(5.0, auto_area_step_number / alpha) * fluid)};
 }
 
 }  // namespace
@@ -145,21 +120,19 @@ double Choice::cell_reynolds(const Case& c) const {
            c.plasma.viscosity.si;
 }
 
-Length equivalent_radius(const Case& c) {
-    // The biconcave cell is named by its half length R₀; its area is 0.8916 R₀² (13.63 µm² at R₀
-    // = 3.91 µm).
-    if (c.cells.shape == "biconcave")
-        return Length{c.cells.radius.si * std::sqrt(0.8916 / std::numbers::pi)};
-    return c.cells.radius;
+double Choice::expected_change() const {
+    double change = 0.0;
+    for (const StepLimit& limit : limits)
+        change = std::max(change, limit.change * (dt.si / limit.step.si));
+    return change;
 }
 
 Choice choose(const Case& c) {
     Choice choice;
     choose_grid(c, choice);
-    choose_flow(c, choice);
-    choose_step(c, choice);
-    choice.node_spacing = c.numerics.node_spacing.value_or(1.0);
     choice.equilibrium = choose_equilibrium(c);
+    choose_step(c, choose_flow(c, choice), choice);
+    choice.node_spacing = c.numerics.node_spacing.value_or(1.0);
     choice.area_stiffness = choose_area_stiffness(c, choice);
     return choice;
 }

@@ -1,7 +1,8 @@
 #include "case/discretise.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "case/membrane_of.hpp"
 
 namespace tt {
 namespace {
@@ -17,51 +18,6 @@ Delta delta_of(const std::string& name) {
     if (name == Hat2::name) return Hat2{};
     if (name == Roma3::name) return Roma3{};
     return Peskin4{};
-}
-
-Hardening hardening_of(const HardeningCase& h) {
-    Hardening hardening;
-    const auto applies = [&](const char* modality) {
-        return std::find(h.apply_to.begin(), h.apply_to.end(), modality) != h.apply_to.end();
-    };
-    hardening.shear = applies("shear");
-    hardening.bending = applies("bending");
-    hardening.area = applies("area");
-    hardening.contact = applies("contact");
-    if (h.apply_to.empty()) return hardening;
-    hardening.form =
-        h.form == "exponential" ? Hardening::Form::exponential : Hardening::Form::power_exponential;
-    hardening.compression = h.compression == "one"          ? Hardening::Compression::one
-                            : h.compression == "as-printed" ? Hardening::Compression::as_printed
-                                                            : Hardening::Compression::symmetric;
-    hardening.D = h.D;
-    hardening.beta = h.beta;
-    return hardening;
-}
-
-Membrane membrane_of(const Case& c, const Choice& choice, const Scales& scales) {
-    const MembraneCase& m = c.membrane;
-    const double modulus = scales.to_lattice(m.shear_modulus);
-    const double bending = scales.to_lattice(m.bending_modulus);
-    Membrane membrane;
-    if (m.law == Hookean::name) {
-        membrane.in_plane = Hookean{modulus};
-    } else if (m.law == Skalak::name) {
-        membrane.in_plane = Skalak{modulus, m.area_dilation_ratio};
-    } else if (m.law == SurfaceTension::name) {
-        membrane.in_plane = SurfaceTension{modulus};
-    } else {
-        membrane.in_plane = NeoHookean{modulus};
-    }
-    if (m.bending == ReferenceCurvature::name) {
-        membrane.bending = ReferenceCurvature{bending};
-    } else {
-        membrane.bending = CurrentCurvature{bending};
-    }
-    membrane.hardening = hardening_of(m.hardening);
-    membrane.area_stiffness = scales.to_lattice(choice.area_stiffness);
-    membrane.hold_area = m.hold_area;
-    return membrane;
 }
 
 /// Distance beyond r₀ at which the attraction has fallen to 1 % of its peak: with z = e^{−β(r−r₀)}
@@ -94,7 +50,7 @@ ViscosityModel viscosity_of(const Case& c, const Choice& choice, const Scales& s
     if (n.interior == "flood-fill") viscosity.interior = FloodFill{};
     if (n.interface_viscosity == "smoothed")
         viscosity.interface = SmoothedInterface{n.smoothing_width};
-    if (n.interface_viscosity == "area-fraction") viscosity.interface = AreaFraction{};
+    if (n.interface_viscosity == AreaFraction::name) viscosity.interface = AreaFraction{};
     viscosity.mean = HarmonicMean{};
     if (n.viscosity_mean == "arithmetic") viscosity.mean = ArithmeticMean{};
     if (n.collision == "bgk") {
@@ -126,7 +82,8 @@ Model discretise(const Case& c, const Choice& choice) {
     m.delta = delta_of(c.numerics.delta);
     m.viscosity = viscosity_of(c, choice, m.scales);
     if (c.numerics.jump_correction) m.jump = jump_correction(m.delta, m.viscosity);
-    m.membrane = membrane_of(c, choice, m.scales);
+    m.membrane = membrane_of(c.membrane, m.scales);
+    m.membrane.area_stiffness = m.scales.to_lattice(choice.area_stiffness);
     m.contact = contact_of(c, m.scales);
     m.shear_rate = m.scales.to_lattice(choice.shear_rate);
 

@@ -295,6 +295,13 @@ struct FieldList<NumericsCase> {
                    Range{1.0, 1e4},
                    {},
                    "20"},
+        FieldEntry{"step_tolerance",
+                   &T::step_tolerance,
+                   "by how much the time step that auto takes may change D, strain, lambda_C and "
+                   "mu_rel; stability may ask for a shorter one",
+                   Range{1e-4, 0.2},
+                   {},
+                   "1 %"},
         FieldEntry{"node_spacing",
                    &T::node_spacing,
                    "of the membrane, in sites",

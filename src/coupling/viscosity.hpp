@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "coupling/interface/area_fraction.hpp"
-#include "coupling/interface/blurred_fraction.hpp"
 #include "coupling/interface/sharp.hpp"
 #include "coupling/interface/smoothed.hpp"
 #include "coupling/interior/flood_fill.hpp"
@@ -25,7 +24,7 @@ using InteriorMethod = std::variant<ScanLine, FloodFill>;
 /// How the fraction of cytoplasm passes from 0 to 1 across a membrane. Another way is one more
 /// struct with `reach()` and a call operator that fills a patch.
 using InterfaceViscosity =
-    std::variant<SharpInterface, SmoothedInterface, AreaFraction, BlurredFraction>;
+    std::variant<SharpInterface, SmoothedInterface, AreaFraction>;
 
 /// The two-viscosity model, lattice units.
 struct ViscosityModel {

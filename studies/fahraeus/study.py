@@ -1,22 +1,18 @@
 #!/usr/bin/python3
 """Fahraeus and Fahraeus-Lindqvist: cells in channels of several widths.
 
-    studies/fahraeus/study.py [--program build/release/tanktread] [--out results/fahraeus] [-j 1]
+    studies/fahraeus/study.py [--program build/release/tanktread] [--out results/fahraeus] [-j 1] [--jobs 1]
 
 Runs what is not there yet, then writes measured.csv beside this file, with what Pries' formulae for
 blood in glass tubes give at a diameter equal to the width.
 """
-import argparse
-import csv
 import pathlib
-import subprocess
 import sys
 
 import numpy as np
 
-here = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(here.parents[1] / "python"))
-from tanktread import Results  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from sweep import Sweep  # noqa: E402
 
 WIDTHS = (10, 12, 16, 20, 28, 40)  # um
 SEEDS = (1, 2)
@@ -35,23 +31,22 @@ def pries_tube_ratio(diameter, discharge):
     return discharge + (1.0 - discharge) * (1.0 + 1.7 * np.exp(-0.415 * diameter) - 0.6 * np.exp(-0.011 * diameter))
 
 
-def run(program, out, width, seed, threads):
-    directory = out / f"width{width}-seed{seed}"
-    command = [program, "run", here / "case.toml", "-o", directory, "-j", threads, "--progress", "none",
-               "--set", f"domain.width={width} um", "--set", f"cells.seed={seed}"]
-    subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return Results(directory)
+def describe(item):
+    width, seed = item
+    return f"width{width}-seed{seed}", {"domain.width": f"{width} um", "cells.seed": seed}
 
 
-def measure(results, width):
+def measure(item, results):
     """Means over the window; discharge hematocrit as the ratio of the mean fluxes."""
+    width, seed = item
     series = results.series
     late = series["time"] >= 0.5 * series["time"][-1]
     mean = {name: float(np.mean(series[name][late])) for name in series}
     tube = mean["hematocrit_tube"]
     discharge = float(np.mean((series["hematocrit_discharge"] * series["flux"])[late]) / mean["flux"])
     earlier, later = np.array_split(series["mu_rel"][late], 2)
-    return {"tube": round(tube, 4), "discharge": round(discharge, 4), "tube_over_discharge": round(tube / discharge, 4),
+    return {"width_um": width, "seed": seed, "tube": round(tube, 4), "discharge": round(discharge, 4),
+            "tube_over_discharge": round(tube / discharge, 4),
             "mu_rel": round(mean["mu_rel"], 4), "mu_rel_first_half": round(float(earlier.mean()), 4),
             "mu_rel_second_half": round(float(later.mean()), 4),
             "cfl_profile_um": round(1e6 * mean["cfl_profile"], 3), "cfl_envelope_um": round(1e6 * mean["cfl_envelope"], 3),
@@ -61,23 +56,5 @@ def measure(results, width):
             "pries_mu_rel": round(float(pries_viscosity(width, discharge)), 4)}
 
 
-def main():
-    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("--program", default=here.parents[1] / "build/release/tanktread")
-    options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("results/fahraeus"))
-    options.add_argument("-j", "--threads", default=1)
-    given = options.parse_args()
-    rows = []
-    for seed in SEEDS:
-        for width in WIDTHS:
-            results = run(given.program, given.out, width, seed, given.threads)
-            rows.append({"width_um": width, "seed": seed, **measure(results, width)})
-            print(*rows[-1].values(), flush=True)
-            with open(here / "measured.csv", "w", newline="") as file:
-                table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-                table.writeheader()
-                table.writerows(rows)
-
-
 if __name__ == "__main__":
-    main()
+    Sweep(__file__, __doc__).tabulate([(width, seed) for seed in SEEDS for width in WIDTHS], describe, measure)

@@ -1,21 +1,17 @@
 #!/usr/bin/python3
 """Tank-treading or tumbling of a biconcave cell: a map over viscosity ratio and shear number.
 
-    studies/tumbling/study.py [--program build/release/tanktread] [--out results/tumbling] [-j 1]
+    studies/tumbling/study.py [--program build/release/tanktread] [--out results/tumbling] [-j 1] [--jobs 1]
 
 Runs what is not there yet, then writes measured.csv beside this file.
 """
-import argparse
-import csv
 import pathlib
-import subprocess
 import sys
 
 import numpy as np
 
-here = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(here.parents[1] / "python"))
-from tanktread import Results  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from sweep import Sweep  # noqa: E402
 
 RATIOS = (1, 2, 3, 4, 5, 7, 10, 20)
 SHEAR_NUMBERS = (0.02, 0.1, 0.5)
@@ -25,16 +21,17 @@ MODULUS = 6e-6
 RADIUS = 3.91e-6 * np.sqrt(0.8916 / np.pi)  # of the circle of the cell's area, as the program takes it
 
 
-def run(program, out, ratio, shear_number, threads, resolution, width):
-    name = f"ratio{ratio}-G{shear_number}-dx{resolution}-width{width}"
-    rate = shear_number * MODULUS / (PLASMA * RADIUS)
-    end = STRAINED / rate * 1e3
-    command = [program, "run", here / "case.toml", "-o", out / name, "-j", threads, "--progress", "none",
-               "--set", f"cells.cytoplasm_viscosity={1.2 * ratio} cP", "--set", f"flow.shear_number={shear_number}",
-               "--set", f"numerics.dx={resolution} um", "--set", f"domain.width={width} um",
-               "--set", f"domain.length={2 * width} um", "--set", f"time.end={end:.6g} ms"]
-    subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return Results(out / name), rate
+def rate_of(shear_number):
+    """k [/s]"""
+    return shear_number * MODULUS / (PLASMA * RADIUS)
+
+
+def describe(item):
+    ratio, shear_number, resolution, width = item
+    end = STRAINED / rate_of(shear_number) * 1e3
+    return f"ratio{ratio}-G{shear_number}-dx{resolution}-width{width}", {
+        "cells.cytoplasm_viscosity": f"{1.2 * ratio} cP", "flow.shear_number": shear_number, "numerics.dx": f"{resolution} um",
+        "domain.width": f"{width} um", "domain.length": f"{2 * width} um", "time.end": f"{end:.6g} ms"}
 
 
 def axis_turned(series):
@@ -62,25 +59,13 @@ def judge(results, rate):
             "area_error": float(f"{series['area_error_max'].max():.2g}")}
 
 
-def main():
-    options = argparse.ArgumentParser(description=__doc__)
-    options.add_argument("--program", default=here.parents[1] / "build/release/tanktread")
-    options.add_argument("--out", type=pathlib.Path, default=pathlib.Path("results/tumbling"))
-    options.add_argument("-j", "--threads", default=1)
-    given = options.parse_args()
-    plan = [(r, g, 0.2, 32) for g in SHEAR_NUMBERS for r in RATIOS]
-    plan += [(r, 0.1, 0.125, 32) for r in (3, 5)]  # the grid
-    rows = []
-    for ratio, shear_number, resolution, width in plan:
-        results, rate = run(given.program, given.out, ratio, shear_number, given.threads, resolution, width)
-        rows.append({"viscosity_ratio": ratio, "G": shear_number, "dx_um": resolution, "width_um": width,
-                     **judge(results, rate)})
-        print(*rows[-1].values(), flush=True)
-        with open(here / "measured.csv", "w", newline="") as file:
-            table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-            table.writeheader()
-            table.writerows(rows)
+def measure(item, results):
+    ratio, shear_number, resolution, width = item
+    return {"viscosity_ratio": ratio, "G": shear_number, "dx_um": resolution, "width_um": width,
+            **judge(results, rate_of(shear_number))}
 
 
 if __name__ == "__main__":
-    main()
+    plan = [(r, g, 0.2, 32) for g in SHEAR_NUMBERS for r in RATIOS]
+    plan += [(r, 0.1, 0.125, 32) for r in (3, 5)]  # the grid
+    Sweep(__file__, __doc__).tabulate(plan, describe, measure)

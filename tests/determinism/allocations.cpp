@@ -36,8 +36,7 @@ using namespace tt;
 TEST(Allocations, none_in_the_viscosity_and_contact_passes_once_their_arrays_are_there) {
     const Lattice lattice{120, 90, true};
     for (const InterfaceViscosity& interface :
-         {InterfaceViscosity{SmoothedInterface{}}, InterfaceViscosity{AreaFraction{}},
-          InterfaceViscosity{BlurredFraction{}}}) {
+         {InterfaceViscosity{SmoothedInterface{}}, InterfaceViscosity{AreaFraction{}}}) {
         ViscosityModel viscosity;
         viscosity.interface = interface;
         ContactModel contact_model;

@@ -141,22 +141,6 @@ TEST(AreaFraction, of_a_tilted_half_plane_is_that_of_the_cut_square) {
     EXPECT_NEAR(at(10, 14), 0.0, 1e-15);
 }
 
-TEST(BlurredFraction, keeps_the_area_and_is_one_half_on_a_flat_membrane) {
-    const std::vector<Vec2> points{{0.0, 0.0},   {20.0, 0.0},  {40.0, 0.0},
-                                   {40.0, 20.5}, {20.0, 20.5}, {0.0, 20.5}};
-    std::vector<double> x, y;
-    Patch patch;
-    LocalOutline local;
-    const BlurredFraction interface { 2 };
-    ASSERT_TRUE(lay_patch(as_outline(points, x, y), interface.reach(), 1e4, patch, local));
-    interface(ScanLine{}, local, patch);
-    EXPECT_NEAR(sum(patch), 40.0 * 20.5, 1e-10);
-    const auto at = [&](int i, int j) { return patch.row(j - patch.j)[i - patch.i]; };
-    EXPECT_NEAR(at(20, 20), 0.5, 1e-15);
-    for (int d = 1; d < 4; ++d) EXPECT_NEAR(at(20, 20 + d) + at(20, 20 - d), 1.0, 1e-15);
-    EXPECT_NEAR(at(20, 23), 0.0, 1e-15);
-}
-
 TEST(Rates, of_a_viscosity_are_those_of_its_relaxation_times) {
     for (const double viscosity : {0.01, 1.0 / 6.0, 2.5}) {
         const Rates trt = Trt{}.rates(viscosity);
@@ -200,9 +184,8 @@ bool same_bits(const Field& a, const Field& b) {
     return true;
 }
 
-const InterfaceViscosity interfaces[] = {SharpInterface{},       SmoothedInterface{2.0},
-                                         SmoothedInterface{0.7}, AreaFraction{},
-                                         BlurredFraction{1},     BlurredFraction{3}};
+const InterfaceViscosity interfaces[] = {SharpInterface{}, SmoothedInterface{2.0},
+                                         SmoothedInterface{0.7}, AreaFraction{}};
 
 /// Moves cells for some steps, updating with `threads`; the fields must equal those made from
 /// scratch.

@@ -153,8 +153,9 @@ TEST(CaseFile, overrides_follow_the_rules_of_the_file) {
 }
 
 TEST(CaseFile, auto_is_the_same_as_leaving_out) {
-    EXPECT_EQ(tt::parse_case(with(channel, "dx = \"0.2 um\"", "dx = \"auto\""), "case.toml"),
-              tt::parse_case(with(channel, "dx = \"0.2 um\"", ""), "case.toml"));
+    EXPECT_EQ(
+        tt::parse_case(with(channel, "dx             = \"0.2 um\"", "dx = \"auto\""), "case.toml"),
+        tt::parse_case(with(channel, "dx             = \"0.2 um\"", ""), "case.toml"));
 }
 
 TEST(CaseFile, name_is_that_of_the_folder_if_none_is_given) {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "base/quantity.hpp"
+#include "case/case.hpp"
+#include "membrane/forces.hpp"
+
+namespace tt {
+
+/// The hardening that a case describes. Numbers without dimension.
+Hardening hardening_of(const HardeningCase& h);
+
+/// The membrane that a case describes, in the units of `scales`; SI with Scales{}. Its area
+/// stiffness is left to who chooses it.
+Membrane membrane_of(const MembraneCase& m, const Scales& scales);
+
+}  // namespace tt
