@@ -1,5 +1,6 @@
 #include "fit/polynomial.hpp"
 
+#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -9,93 +10,39 @@
 namespace tt {
 namespace {
 
-constexpr int most = Polynomial::most_terms;
-using Row = std::array<double, most>;
-
-/// The lower triangle L of a symmetric positive matrix, L Lᵀ; nothing if it is none.
-class Cholesky {
-public:
-    Cholesky(const std::array<Row, most>& matrix, int size) : size_(size) {
-        for (int i = 0; i < size_; ++i) {
-            for (int j = 0; j <= i; ++j) {
-                double sum = matrix[i][j];
-                for (int k = 0; k < j; ++k) sum -= lower_[i][k] * lower_[j][k];
-                if (i != j) {
-                    lower_[i][j] = sum / lower_[j][j];
-                } else if (sum > 1e-12 * matrix[i][i]) {
-                    lower_[i][i] = std::sqrt(sum);
-                } else {
-                    positive_ = false;
-                    return;
-                }
-            }
-        }
-    }
-    bool positive() const { return positive_; }
-    /// L⁻¹ b
-    Row forward(Row b) const {
-        for (int i = 0; i < size_; ++i) {
-            for (int k = 0; k < i; ++k) b[i] -= lower_[i][k] * b[k];
-            b[i] /= lower_[i][i];
-        }
-        return b;
-    }
-    /// L⁻ᵀ b
-    Row backward(Row b) const {
-        for (int i = size_ - 1; i >= 0; --i) {
-            for (int k = i + 1; k < size_; ++k) b[i] -= lower_[k][i] * b[k];
-            b[i] /= lower_[i][i];
-        }
-        return b;
-    }
-
-private:
-    int size_;
-    bool positive_ = true;
-    std::array<Row, most> lower_{};
-};
-
-double product(const Row& a, const Row& b, int size) {
-    double sum = 0.0;
-    for (int k = 0; k < size; ++k) sum += a[k] * b[k];
-    return sum;
-}
-
 struct OrderFit {
-    Row coefficients{};
+    std::vector<double> coefficients;
     double error = 0.0;
 };
 
-/// Nothing if the values do not determine a surface of this order, each of them left out.
+/// Nothing if the values do not determine a surface of this order, each of them left out. With the
+/// rows of places and values times √w and A = Q R, the leverages are |Qᵢ|².
 std::optional<OrderFit> fit_order(int order, std::span<const Vec2> at,
                                   std::span<const double> values, std::span<const double> weights) {
-    const int size = Polynomial::terms(order);
-    if (static_cast<int>(values.size()) <= size) return std::nullopt;
-    std::array<Row, most> matrix{};
-    Row right{};
-    for (std::size_t n = 0; n < values.size(); ++n) {
-        const Row a = Polynomial::factors(at[n]);
-        for (int i = 0; i < size; ++i) {
-            right[i] += weights[n] * a[i] * values[n];
-            for (int j = 0; j <= i; ++j) matrix[i][j] += weights[n] * a[i] * a[j];
-        }
+    const Eigen::Index size = Polynomial::terms(order);
+    const auto count = static_cast<Eigen::Index>(values.size());
+    if (count <= size) return std::nullopt;
+    Eigen::MatrixXd rows(count, size);
+    Eigen::VectorXd right(count);
+    for (Eigen::Index n = 0; n < count; ++n) {
+        const auto k = static_cast<std::size_t>(n);
+        const double root = std::sqrt(weights[k]);
+        const auto factors = Polynomial::factors(at[k]);
+        for (Eigen::Index i = 0; i < size; ++i)
+            rows(n, i) = root * factors[static_cast<std::size_t>(i)];
+        right(n) = root * values[k];
     }
-    const Cholesky cholesky(matrix, size);
-    if (!cholesky.positive()) return std::nullopt;
-    OrderFit fit;
-    fit.coefficients = cholesky.backward(cholesky.forward(right));
-    double sum = 0.0, total = 0.0;
-    for (std::size_t n = 0; n < values.size(); ++n) {
-        const Row a = Polynomial::factors(at[n]);
-        const Row z = cholesky.forward(a);
-        const double others = 1.0 - weights[n] * product(z, z, size);
-        if (!(others > 1e-9)) return std::nullopt;
-        const double error = (values[n] - product(fit.coefficients, a, size)) / others;
-        sum += weights[n] * error * error;
-        total += weights[n];
-    }
-    fit.error = std::sqrt(sum / total);
-    return fit;
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows);
+    if (qr.rank() < size) return std::nullopt;
+    const Eigen::VectorXd coefficients = qr.solve(right);
+    const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(count, size);
+    const Eigen::ArrayXd others = 1.0 - q.rowwise().squaredNorm().array();
+    if (!(others.minCoeff() > 1e-9)) return std::nullopt;
+    const Eigen::ArrayXd errors = (right - rows * coefficients).array() / others;
+    double total = 0.0;
+    for (const double weight : weights) total += weight;
+    return OrderFit{{coefficients.begin(), coefficients.end()},
+                    std::sqrt(errors.square().sum() / total)};
 }
 
 }  // namespace
@@ -126,11 +73,10 @@ PolynomialFit fit_polynomial(std::span<const Vec2> at, std::span<const double> v
     best.surface.coefficients = {values.front()};
     best.error = std::numeric_limits<double>::infinity();
     for (int order = 0; order <= Polynomial::highest_order; ++order) {
-        const auto fit = fit_order(order, at, values, weights);
+        auto fit = fit_order(order, at, values, weights);
         if (!fit || fit->error >= best.error) continue;
         best.error = fit->error;
-        const auto* begin = fit->coefficients.begin();
-        best.surface.coefficients.assign(begin, begin + Polynomial::terms(order));
+        best.surface.coefficients = std::move(fit->coefficients);
     }
     return best;
 }
