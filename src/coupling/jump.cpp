@@ -9,12 +9,6 @@
 namespace tt {
 namespace {
 
-// Integrals across a straight membrane, of the smeared stress against the smeared fluidity. They
-// hardly depend on the kernel (by 1 % and 20 %) because they are ratios: ∫Hθδ − ¼ + c_φ ∫δ² and ¼ −
-// ∫θδ(1 − H).
-constexpr double rate_share = 0.234;
-constexpr double dipole_share = 0.115;
-
 struct Nodes {
     const double *x, *y, *fx, *fy, *rate_xx, *rate_xy;
     double *ux, *uy, *dipole_xx, *dipole_xy;
