@@ -87,7 +87,7 @@ void split_step(benchmark::State& bench, const char* precision) {
 
 void lengths_and_threads(benchmark::internal::Benchmark* b) {
     b->UseManualTime()->Unit(benchmark::kMicrosecond)->ArgNames({"channels", "threads"});
-    b->Args({1, 1})->Args({1, 2})->Args({10, 1})->Args({100, 1});
+    b->Args({1, 1})->Args({1, 2})->Args({10, 1})->Args({100, 1})->MinTime(0.05);
 }
 
 void lengths(benchmark::internal::Benchmark* b) {
