@@ -28,6 +28,7 @@ namespace {
 using namespace tt;
 
 constexpr int batch = 50;
+constexpr int roof_pairs = 10;
 
 struct Run {
     Model model;
@@ -55,17 +56,22 @@ struct Run {
 
 void coupled_step(benchmark::State& bench, const char* precision) {
     Run run(static_cast<int>(bench.range(0)), static_cast<int>(bench.range(1)), precision);
-    Flow roof = roof_of(run.model.lattice, run.model.precision);
+    Flow arrays = roof_of(run.model.lattice, run.model.precision);
     Best step_time, roof_time;
     for (auto _ : bench) {
-        roof_time.time([&] { with_team(run.model.threads, [&] { update_twice(roof); }); });
+        roof_time.time([&] {
+            with_team(run.model.threads, [&] {
+                for (int k = 0; k < roof_pairs; ++k) update_twice(arrays);
+            });
+        });
         bench.SetIterationTime(step_time.time([&] { run.advance_by(batch); }) / batch);
     }
     const double best = step_time.seconds() / batch;
+    const double roof = roof_time.seconds() / (2 * roof_pairs);
     const double sites = static_cast<double>(run.model.lattice.nx) * run.model.lattice.ny;
     bench.counters["us"] = 1e6 * best;
-    bench.counters["roof_us"] = 0.5e6 * roof_time.seconds();
-    bench.counters["of_roof"] = 0.5 * roof_time.seconds() / best;
+    bench.counters["roof_us"] = 1e6 * roof;
+    bench.counters["of_roof"] = roof / best;
     bench.counters["MLUPS"] = 1e-6 * sites / best;
     bench.counters["ns_site"] = 1e9 * best / sites;
 }
