@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/isa.hpp"
+#include "base/vec2.hpp"
 #include "grid/d2q9.hpp"
 #include "membrane/outline.hpp"
 #include "membrane/outline_checks.hpp"
@@ -48,11 +50,35 @@ Instability fault_at_node(const Model& model, const State& state, int node, Read
     return what;
 }
 
+// Far beyond any real travel, yet far from where a site index would overflow.
+constexpr double farthest = 1e15;
+
+/// Nodes now and at the last call, and what is allowed of them.
+struct NodesWatched {
+    int count;
+    const double *x, *y, *x_before, *y_before;
+    double way2;         ///< square of the largest way
+    double bottom, top;  ///< of their places
+};
+
+/// How many nodes went too far or are where none can be. NaN fails every comparison.
+TT_CLONES int count_faults(const NodesWatched& watched) {
+    const NodesWatched w = watched;
+    int faults = 0;
+#pragma omp simd reduction(+ : faults)
+    for (int n = 0; n < w.count; ++n) {
+        const double x = w.x[n], y = w.y[n];
+        const double dx = x - w.x_before[n], dy = y - w.y_before[n];
+        const bool right = (dx * dx + dy * dy < w.way2) & (x > -farthest) & (x < farthest) &
+                           (y > w.bottom) & (y < w.top);
+        faults += right ? 0 : 1;
+    }
+    return faults;
+}
+
 /// Every node finite and, where there are walls, between them.
 std::optional<Instability> node_places(const Model& model, const State& state) {
     const Suspension& cells = state.cells;
-    // Far beyond any real travel, yet far from where a site index would overflow.
-    constexpr double farthest = 1e15;
     const double height = model.lattice.ny;
     for (int n = 0; n < cells.node_count(); ++n) {
         const double x = cells.x[n];
@@ -70,18 +96,23 @@ std::optional<Instability> node_places(const Model& model, const State& state) {
     return std::nullopt;
 }
 
+/// How many of a row's sites are not slower than allowed.
+TT_CLONES int count_too_fast(const double* ux, const double* uy, int count, double limit2) {
+    int faults = 0;
+#pragma omp simd reduction(+ : faults)
+    for (int i = 0; i < count; ++i) faults += ux[i] * ux[i] + uy[i] * uy[i] < limit2 ? 0 : 1;
+    return faults;
+}
+
 std::optional<Instability> speeds(const Model& model, const State& state, double mach) {
     const Lattice& lattice = model.lattice;
     const double limit = mach * mach * d2q9::sound_speed_squared;
     for (int j = 0; j < lattice.ny; ++j) {
         const double* const ux = state.velocity.x.row(j);
         const double* const uy = state.velocity.y.row(j);
-        const auto too_fast = [&](int i) { return !(ux[i] * ux[i] + uy[i] * uy[i] < limit); };
-        int count = 0;
-        for (int i = 0; i < lattice.nx; ++i) count += too_fast(i) ? 1 : 0;
-        if (count == 0) continue;
+        if (count_too_fast(ux, uy, lattice.nx, limit) == 0) continue;
         int i = 0;
-        while (!too_fast(i)) ++i;
+        while (ux[i] * ux[i] + uy[i] * uy[i] < limit) ++i;
         const double value = std::sqrt((ux[i] * ux[i] + uy[i] * uy[i]) / d2q9::sound_speed_squared);
         Instability what = fault(
             model, state, {fmt::format("Mach number at site ({}, {})", i, j), value, mach, ""});
@@ -130,32 +161,35 @@ std::optional<Instability> crossings(const Model& model, const State& state) {
 Health::Health(const HealthLimits& limits, const State& state)
     : limits_(limits), x_(state.cells.x), y_(state.cells.y) {}
 
-std::optional<Instability> Health::node_steps(const Model& model, const State& state) {
+std::optional<Instability> Health::node_steps(const Model& model, const State& state) const {
     const Suspension& cells = state.cells;
-    const double limit = limits_.node_step * limits_.node_step;
-    std::optional<Instability> found;
     for (int n = 0; n < cells.node_count(); ++n) {
-        const double dx = cells.x[n] - x_[n];
-        const double dy = cells.y[n] - y_[n];
-        const double way = dx * dx + dy * dy;
-        if (!(way < limit) && !found) {
-            found = fault_at_node(
-                model, state, n,
-                {"way of a node in one step", std::sqrt(way), limits_.node_step, "sites"});
-            found->cause =
-                "membrane forces too stiff for the time step, or nodes too close together";
-            found->cure = smaller_step;
-        }
-        x_[n] = cells.x[n];
-        y_[n] = cells.y[n];
+        const double way = norm(Vec2{cells.x[n] - x_[n], cells.y[n] - y_[n]});
+        if (way < limits_.node_step) continue;
+        Instability found = fault_at_node(
+            model, state, n, {"way of a node in one step", way, limits_.node_step, "sites"});
+        found.cause = "membrane forces too stiff for the time step, or nodes too close together";
+        found.cure = smaller_step;
+        return found;
     }
-    return found;
+    return std::nullopt;
 }
 
 std::optional<Instability> Health::after_step(const Model& model, const State& state) {
-    if (auto found = node_steps(model, state)) return found;
+    const Suspension& cells = state.cells;
+    const bool walls = model.lattice.walls;
+    const int faults =
+        count_faults({cells.node_count(), cells.x.data(), cells.y.data(), x_.data(), y_.data(),
+                      limits_.node_step * limits_.node_step, walls ? 0.0 : -farthest,
+                      walls ? static_cast<double>(model.lattice.ny) : farthest});
+    if (faults > 0) {
+        if (auto found = node_steps(model, state)) return found;
+        return node_places(model, state);
+    }
+    std::copy(cells.x.begin(), cells.x.end(), x_.begin());
+    std::copy(cells.y.begin(), cells.y.end(), y_.begin());
     if (looks_at_flow(state.step)) return examine(model, state);
-    return node_places(model, state);
+    return std::nullopt;
 }
 
 std::optional<Instability> Health::examine(const Model& model, const State& state) const {

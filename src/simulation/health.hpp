@@ -41,7 +41,7 @@ public:
     std::optional<Instability> examine(const Model& model, const State& state) const;
 
 private:
-    std::optional<Instability> node_steps(const Model& model, const State& state);
+    std::optional<Instability> node_steps(const Model& model, const State& state) const;
 
     HealthLimits limits_;
     std::vector<double> x_, y_;  ///< positions at the last call
