@@ -82,6 +82,7 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
                               : choice.equilibrium == "incompressible"
                                   ? "incompressible: with advection"
                                   : "full: with advection, Eq. 2");
+    if (a.cells > 0) print_line("kernel", choice.delta);
     print_line("density scale",
                choice.density_scale < 1.0 + 1e-9
                    ? std::string("1: the physical Reynolds number")

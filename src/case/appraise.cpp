@@ -186,9 +186,6 @@ void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& 
             "A sharp jump of viscosity is first order: at ratio 5 the strain was 9 % high at dx = "
             "0.2 um. "
             "Write interface_viscosity = \"smoothed\".");
-    if (c.numerics.delta == "hat2" || c.numerics.delta == "roma3")
-        adviser.consider("The kernel {} lowers the deformation by {} %; write delta = \"peskin4\".",
-                         c.numerics.delta, c.numerics.delta == "hat2" ? 1.6 : 1.0);
     if (c.contact.model == "morse" && a.cells > 1 &&
         c.contact.zero_force_distance.si < 1.5 * choice.dx.si)
         adviser.consider(

@@ -120,7 +120,7 @@ struct NumericsCase {
     double magic = 3.0 / 16.0;           ///< Λ of TRT
     std::string equilibrium = "auto";    ///< auto | linear (Stokes) | incompressible | full (Eq. 2)
     std::string precision = "double";    ///< double | single, of the populations
-    std::string delta = "peskin4";       ///< cosine4 | hat2 | roma3 | peskin4
+    std::string delta = "auto";          ///< auto | cosine4 | hat2 | roma3 | peskin4
     std::string interior = "scan-line";  ///< scan-line | flood-fill
     std::string interface_viscosity = "area-fraction";  ///< sharp | smoothed | area-fraction
     std::string viscosity_mean =

@@ -18,6 +18,7 @@ struct Choice {
     double density_scale = 1.0;          ///< S
     double node_spacing = 1.0;           ///< in sites
     std::string equilibrium;             ///< linear | incompressible | full
+    std::string delta;                   ///< cosine4 | hat2 | roma3 | peskin4
     Rate shear_rate;                     ///< nominal k, or pseudo-shear rate
     Velocity largest_speed;              ///< expected of the undisturbed flow
     PressureGradient pressure_gradient;  ///< of the plasma-only estimate 12 μ U / H²

@@ -79,7 +79,7 @@ Model discretise(const Case& c, const Choice& choice) {
     m.density_scale = choice.density_scale;
     m.equilibrium = equilibrium_of(choice.equilibrium);
     m.precision = c.numerics.precision == "single" ? Precision::fp32 : Precision::fp64;
-    m.delta = delta_of(c.numerics.delta);
+    m.delta = delta_of(choice.delta);
     m.viscosity = viscosity_of(c, choice, m.scales);
     if (c.numerics.jump_correction) m.jump = jump_correction(m.delta, m.viscosity);
     m.membrane = membrane_of(c.membrane, m.scales);

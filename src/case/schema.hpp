@@ -324,8 +324,11 @@ struct FieldList<NumericsCase> {
                    "of the lattice populations: single takes half the memory and traffic; "
                    "membranes are in double either way",
                    any_value, "double|single"},
-        FieldEntry{"delta", &T::delta, "kernel between sites and nodes (Eq. 8 is cosine4)",
-                   any_value, "cosine4|hat2|roma3|peskin4"},
+        FieldEntry{
+            "delta", &T::delta,
+            "kernel between sites and nodes (Eq. 8 is cosine4); auto: roma3, but peskin4 where "
+            "the viscosities differ by more than ten times",
+            any_value, "auto|cosine4|hat2|roma3|peskin4"},
         FieldEntry{"interior", &T::interior, "how the sites inside a cell are found", any_value,
                    "scan-line|flood-fill"},
         FieldEntry{"interface_viscosity", &T::interface_viscosity,

@@ -25,8 +25,9 @@ double area_stiffness(const Membrane& membrane, double stretch);
 /// Tension: a site-sized wiggle of a membrane of tension slope T' relaxes at the rate T'/(μ h), μ
 /// the mean of the viscosities on both sides; T' Δt/(μ h). A relaxing cell without hardening
 /// (radius 10 sites, peskin4, τ = 1.5) ran at 1.2 and blew up at 1.35 at viscosity ratio 1, ran
-/// at 1.25 and blew up at 1.5 at ratio 5. A hardened cell in shear, with T' at the largest stretch
-/// that it came to, ran at 1.06 and blew up at 1.4 and at 1.6.
+/// at 1.25 and blew up at 1.5 at ratio 5; with roma3 it ran at 1.5 at both. A hardened cell in
+/// shear, with T' at the largest stretch that it came to, ran at 1.06 and blew up at 1.4 and
+/// at 1.6.
 constexpr double tension_step_number(double slope, double viscosity, double step, double spacing) {
     return slope * step / (viscosity * spacing);
 }

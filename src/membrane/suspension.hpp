@@ -15,10 +15,11 @@ struct Suspension {
     std::vector<std::int32_t> first{0};  ///< nodes of cell c are first[c] … first[c+1]
 
     // Per node.
-    std::vector<double> x, y;            ///< position
-    std::vector<double> fx, fy;          ///< force on the fluid
-    std::vector<double> ux, uy;          ///< velocity of the last step
-    std::vector<double> rest_curvature;  ///< κ₀
+    std::vector<double> x, y;                    ///< position
+    std::vector<double> fx, fy;                  ///< force on the fluid
+    std::vector<double> ux, uy;                  ///< velocity of the last step
+    std::vector<double> ux_sampled, uy_sampled;  ///< the fluid's, sampled in the last step
+    std::vector<double> rest_curvature;          ///< κ₀
     std::vector<double> dipole_xx,
         dipole_xy;  ///< symmetric, traceless force dipole on the fluid (coupling/jump.hpp)
     std::vector<double> rate_xx, rate_xy;  ///< ∂ₓuₓ − ∂ᵧuᵧ and ∂ᵧuₓ + ∂ₓuᵧ of the last step

@@ -23,6 +23,8 @@ void for_each_array(S& state, Visit&& visit) {
     visit("fy", cells.fy);
     visit("ux", cells.ux);
     visit("uy", cells.uy);
+    visit("ux_sampled", cells.ux_sampled);
+    visit("uy_sampled", cells.uy_sampled);
     visit("rest_curvature", cells.rest_curvature);
     visit("rest_length", cells.rest_length);
     visit("reference_area", cells.reference_area);
@@ -93,9 +95,9 @@ void expect_sound(const State& state) {
         if (cells.first[c] <= cells.first[c - 1]) refuse("its list of cells is wrong");
     }
     const auto nodes = static_cast<std::size_t>(cells.node_count());
-    for (const auto* per_node :
-         {&cells.x, &cells.y, &cells.fx, &cells.fy, &cells.ux, &cells.uy, &cells.rest_curvature,
-          &cells.rest_length, &state.interior.x, &state.interior.y}) {
+    for (const auto* per_node : {&cells.x, &cells.y, &cells.fx, &cells.fy, &cells.ux, &cells.uy,
+                                 &cells.ux_sampled, &cells.uy_sampled, &cells.rest_curvature,
+                                 &cells.rest_length, &state.interior.x, &state.interior.y}) {
         if (per_node->size() != nodes) refuse("an array is not of one number per node");
     }
     const auto count = static_cast<std::size_t>(cells.cell_count());

@@ -17,7 +17,8 @@ namespace tt {
 /// The 4-point kernels weigh even and odd sites alike, Σ_even w = Σ_odd w and Σ_even slope = Σ_odd
 /// slope = 0. This matters: a lattice Boltzmann fluid conserves the momentum (−1)^{x+t} u as well,
 /// undamped but for the walls, and a coupling that sees it can feed it. hat2 and roma3 lack the
-/// property and are for comparison.
+/// property; that nodes move with the mean of two steps (simulation/advance.cpp) keeps it from
+/// them.
 using Delta = std::variant<Cosine4, Hat2, Roma3, Peskin4>;
 
 }  // namespace tt
