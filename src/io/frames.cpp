@@ -91,6 +91,10 @@ FramesWriter::FramesWriter(fs::path directory, FramesHeader header, std::int64_t
         std::error_code ignored;
         if (numbered && std::stoll(stem) >= count_) fs::remove(entry.path(), ignored);
     }
+    write_header(index_, header_);
+    hdf5::write_attribute(index_, "merged", std::int64_t{0});
+    hdf5::create_group(index_, "frames");
+    for (std::int64_t number = 0; number < count_; ++number) add_to_index(number);
     write_index();
 }
 
@@ -104,22 +108,19 @@ void FramesWriter::write(const Frame& frame) {
     hdf5::create_group(file, "frames");
     write_frame(file, header_, frame, count_);
     replace_file(part(count_), hdf5::image(file), Durability::process);
-    ++count_;
+    add_to_index(count_++);
     write_index();
 }
 
+void FramesWriter::add_to_index(std::int64_t number) {
+    const std::string name = group_name(number);
+    // A frame of an earlier, merged part of the run, unless it has been written anew since.
+    const bool alone = number >= merged_ || fs::exists(part(number));
+    hdf5::link_external(index_, name, alone ? name + ".h5" : "frames/merged.h5", "/" + name);
+}
+
 void FramesWriter::write_index() const {
-    const hdf5::Id file = hdf5::create_in_memory();
-    write_header(file, header_);
-    hdf5::write_attribute(file, "merged", std::int64_t{0});
-    hdf5::create_group(file, "frames");
-    for (std::int64_t number = 0; number < count_; ++number) {
-        const std::string name = group_name(number);
-        // A frame of an earlier, merged part of the run, unless it has been written anew since.
-        const bool alone = number >= merged_ || fs::exists(part(number));
-        hdf5::link_external(file, name, alone ? name + ".h5" : "frames/merged.h5", "/" + name);
-    }
-    replace_file(directory_ / "frames.h5", hdf5::image(file), Durability::process);
+    replace_file(directory_ / "frames.h5", hdf5::image(index_), Durability::process);
 }
 
 void FramesWriter::merge() {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "io/hdf5.hpp"
+
 namespace tt {
 
 /// What all frames of a run share, SI. Root attributes of frames.h5, and `first` as a dataset.
@@ -48,12 +50,14 @@ public:
 
 private:
     std::filesystem::path part(std::int64_t number) const;
+    void add_to_index(std::int64_t number);
     void write_index() const;
 
     std::filesystem::path directory_;  ///< of the results
     FramesHeader header_;
     std::int64_t count_ = 0;
-    std::int64_t merged_ = 0;  ///< frames that lie in frames/merged.h5
+    std::int64_t merged_ = 0;                    ///< frames that lie in frames/merged.h5
+    hdf5::Id index_ = hdf5::create_in_memory();  ///< frames.h5 until merged: a link to each frame
 };
 
 /// Reads frames.h5, indexed or merged.
