@@ -75,7 +75,7 @@ set xlabel "{{/:Italic D}}"
 set ylabel "{{/:Italic β}}"
 set xtics {}
 set ytics {}
-set key below center maxrows 2
+set key outside right
 level(z, wanted, value) = abs(z - wanted) < 0.1 ? 10**value : NaN
 plot "valley-contours.dat" using (10**$1):(level($3, 1, $2)) with lines lt 1 lw 2 title "χ^2 = least + 1", \
      "" using (10**$1):(level($3, 4, $2)) with lines lt 6 title "least + 4", \
@@ -97,7 +97,7 @@ void draw_valley(const Calibration& c, const std::filesystem::path& out) {
                     [](const TriedPair& pair) { return pair.found.empty(); }))
         body += R"(, \
      "" index 3 with points lc rgb "#555555" pt 2 ps 0.8 title "failed")";
-    run_gnuplot(out, "valley", body, 340, 300);
+    run_gnuplot(out, "valley", body, 520, 280);
 }
 
 }  // namespace tt

@@ -30,4 +30,16 @@ struct Hardening {
     }
 };
 
+/// Case III of Table 1: all four modalities hardened, exponentially.
+constexpr Hardening hardened_throughout(double D, double beta) {
+    return {Hardening::Form::exponential,
+            Hardening::Compression::symmetric,
+            D,
+            beta,
+            true,
+            true,
+            true,
+            true};
+}
+
 }  // namespace tt

@@ -43,14 +43,7 @@ Experiment crowded_shear(int threads) {
     m.jump = jump_correction(m.delta, m.viscosity);
     m.membrane.in_plane = NeoHookean{0.02};
     m.membrane.bending = CurrentCurvature{0.01};
-    m.membrane.hardening = {Hardening::Form::exponential,
-                            Hardening::Compression::symmetric,
-                            0.55,
-                            16.0,
-                            true,
-                            true,
-                            true,
-                            true};
+    m.membrane.hardening = hardened_throughout(0.55, 16.0);
     m.membrane.area_stiffness = 1.0;
     m.membrane.hold_area = true;
     m.contact.law = Morse{1e-4, 0.8, 2.0, true};

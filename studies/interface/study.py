@@ -103,9 +103,16 @@ def table(rows, costs):
     return "".join("| " + " | ".join(line) + " |\n" for line in lines)
 
 
+def style(k, candidate):
+    """Colour and shape for the viscosity, filled and solid with the correction; other kernels in black."""
+    if k >= 10:
+        return f"with linespoints linetype 7 dashtype {k - 6} pointtype {k - 9}"
+    filled = 1 if candidate.corrected else 0
+    return f"with linespoints linetype {1 + k % 5} dashtype {2 - filled} pointtype {4 + 2 * (k % 5) + filled}"
+
+
 def figure(sweep, rows):
-    curves = [Curve(candidate.name, f"with linespoints linetype {1 + k % 7} dashtype {1 if candidate.corrected else 2} "
-                                    f"pointtype {5 + k % 7}",
+    curves = [Curve(candidate.name, style(k, candidate),
                     [[row["dx_um"] for row in mine], [abs(row["error_strain"]) for row in mine]])
               for k, (candidate, mine, _) in enumerate(orders(rows))]
     curves.append(Curve("second order", "with lines linetype 7 dashtype 3", [[0.2, 0.5], [1.0, 6.25]]))

@@ -1,4 +1,4 @@
-#include "app/command_line.hpp"
+#include "command.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,24 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-    int code = 0;
-    std::string out;
-    std::string err;
-};
-
-Outcome run(std::vector<std::string> words) {
-    std::vector<const char*> arguments{"tanktread"};
-    for (const std::string& word : words) arguments.push_back(word.c_str());
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    Outcome outcome;
-    outcome.code = tt::run_command_line(static_cast<int>(arguments.size()), arguments.data());
-    std::fflush(stdout);
-    outcome.out = testing::internal::GetCapturedStdout();
-    outcome.err = testing::internal::GetCapturedStderr();
-    return outcome;
-}
+using tt::Outcome;
+using tt::run;
 
 std::size_t longest_line(const std::string& text) {
     std::istringstream lines(text);

@@ -42,14 +42,7 @@ Membrane full_membrane(InPlane law, Bending bending) {
     membrane.in_plane = law;
     membrane.bending = bending;
     membrane.area_stiffness = 0.02;
-    membrane.hardening = {Hardening::Form::exponential,
-                          Hardening::Compression::symmetric,
-                          0.55,
-                          16.0,
-                          true,
-                          true,
-                          true,
-                          true};
+    membrane.hardening = hardened_throughout(0.55, 16.0);
     return membrane;
 }
 
