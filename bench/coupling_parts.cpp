@@ -100,7 +100,7 @@ void pair_forces(benchmark::State& state) {
     ContactState contact;
     run(state, scene, [&] { add_pair_forces(model, scene.lattice, scene.cells, contact); });
     double hits = 0.0;
-    for (const CellContacts& c : contact.cells) hits += static_cast<double>(c.hits.size());
+    for (const CellContacts& c : contact.cells) hits += static_cast<double>(c.hits.count);
     state.counters["pairs"] = hits / scene.cells.node_count();
 }
 

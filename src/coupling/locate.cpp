@@ -5,17 +5,19 @@
 #include "base/contracts.hpp"
 #include "base/four.hpp"
 #include "base/isa.hpp"
+#include "base/lesser.hpp"
 #include "base/parallel.hpp"
 #include "coupling/stencil.hpp"
 
 namespace tt {
 namespace {
 
-constexpr int reach = Stencils::reach;
+constexpr int width = Stencils::width;
 
 /// One axis of the stencils: positions in, block starts and weights out. Site k stands at k + ½.
 struct Axis {
     const double* position;
+    int sites;
     double period;  ///< wraps the block start into the box; 0: no wrap
     std::int32_t* start;
     double* weights;
@@ -37,17 +39,18 @@ TT_INLINE void weigh(const Axis& axis, int begin, int end) {
 #pragma omp simd
         for (int n = 0; n < count; ++n) {
             const double wrapped = position[n] - period * std::floor(position[n] * inverse);
-            const double second = std::floor(wrapped - 0.5);
-            const double s = wrapped - 0.5 - second;
-            double w[reach], slopes[reach];
-            Kernel::weights(s, w, slopes);
-            start[n] = static_cast<std::int32_t>(second) - 1;
+            // On the far end of the box, y = ny or x rounded up to nx, the last block serves.
+            const double first =
+                lesser(std::floor(wrapped - 0.5 * (Kernel::points - 1)), axis.sites - 2.0);
+            double w[width], slopes[width];
+            Kernel::weights(wrapped - 0.5 - first, w, slopes);
+            start[n] = static_cast<std::int32_t>(first);
             w0[n] = w[0], w1[n] = w[1], w2[n] = w[2], w3[n] = w[3];
             s0[n] = slopes[0], s1[n] = slopes[1], s2[n] = slopes[2], s3[n] = slopes[3];
         }
         for (int n = 0; n < count; ++n) {
-            store_four(axis.weights + reach * (at + n), Four{w0[n], w1[n], w2[n], w3[n]});
-            store_four(axis.slopes + reach * (at + n), Four{s0[n], s1[n], s2[n], s3[n]});
+            store_four(axis.weights + width * (at + n), Four{w0[n], w1[n], w2[n], w3[n]});
+            store_four(axis.slopes + width * (at + n), Four{s0[n], s1[n], s2[n], s3[n]});
         }
     }
 }
@@ -75,7 +78,7 @@ struct WeighOf {
 /// carry weight.
 void extrapolate(double y, int start, int ny, double* w) {
     const int nearest = y < 0.5 * ny ? 0 : ny - 2;
-    for (int k = 0; k < reach; ++k) w[k] = 0.0;
+    for (int k = 0; k < width; ++k) w[k] = 0.0;
     const double along = y - (nearest + 0.5);
     w[nearest - start] = 1.0 - along;
     w[nearest - start + 1] = along;
@@ -87,7 +90,7 @@ void extrapolate(double y, int start, int ny, double* w) {
 /// exactly.
 void make_one_sided(double y, int start, int ny, double* w) {
     double m0 = 0.0, m1 = 0.0, m2 = 0.0;
-    for (int k = 0; k < reach; ++k) {
+    for (int k = 0; k < width; ++k) {
         if (start + k < 0 || start + k >= ny) w[k] = 0.0;
         const double r = start + k + 0.5 - y;
         m0 += w[k];
@@ -99,49 +102,49 @@ void make_one_sided(double y, int start, int ny, double* w) {
         extrapolate(y, start, ny, w);
         return;
     }
-    for (int k = 0; k < reach; ++k) w[k] *= (m2 - m1 * (start + k + 0.5 - y)) / determinant;
+    for (int k = 0; k < width; ++k) w[k] *= (m2 - m1 * (start + k + 0.5 - y)) / determinant;
 }
 
 /// Slopes of one-sided weights: w r / Σ w r², exact for a linear field; 0 where only one row has
 /// weight.
 void slope_one_sided(double y, int start, const double* w, double* slopes) {
     double second_moment = 0.0;
-    for (int k = 0; k < reach; ++k) {
+    for (int k = 0; k < width; ++k) {
         const double r = start + k + 0.5 - y;
         second_moment += w[k] * r * r;
     }
-    for (int k = 0; k < reach; ++k) {
+    for (int k = 0; k < width; ++k) {
         const double r = start + k + 0.5 - y;
         slopes[k] = std::fabs(second_moment) > 1e-12 ? w[k] * r / second_moment : 0.0;
     }
 }
 
-/// Rows in which the nodes' 4 × 4 blocks may start: −2 … ny − 2.
+/// Rows in which the nodes' blocks may start: −2 … ny − 2.
 constexpr int lowest_start = -2;
 int start_rows(const Lattice& lattice) { return lattice.ny + 1; }
 
-/// Marks, for each row in which 4 × 4 blocks start, the columns they cover, through the ends of the
+/// Marks, for each row in which blocks start, the columns they cover, through the ends of the
 /// box if they must: then the last and the first block of sites are marked as well.
 void mark_starts(const Lattice& lattice, Stencils& stencils) {
     const auto [begin, end] = team_share(start_rows(lattice));
     if (begin == end) return;
     SiteBlocks& starts = stencils.starts;
     std::fill(starts.row(begin), starts.row(end), std::uint8_t{0});
-    constexpr unsigned width = SiteBlocks::width;
+    constexpr unsigned sites = SiteBlocks::width;
     const int count = static_cast<int>(stencils.i.size());
     for (int n = 0; n < count; ++n) {
         const int row = stencils.j[n] - lowest_start;
         if (row < begin || row >= end) continue;
-        const int i = stencils.i[n], last = i + reach - 1;
+        const int i = stencils.i[n], last = i + stencils.points - 1;
         const bool inside = i >= 0 && last < lattice.nx;
         std::uint8_t* const marks = starts.row(row);
-        marks[inside ? i / width : 0] = 1;
-        marks[inside ? last / width : starts.per_row() - 1] = 1;
-        if (!inside) marks[(i < 0 ? i + lattice.nx : i) / width] = 1;
+        marks[inside ? i / sites : 0] = 1;
+        marks[inside ? last / sites : starts.per_row() - 1] = 1;
+        if (!inside) marks[(i < 0 ? i + lattice.nx : i) / sites] = 1;
     }
 }
 
-/// A row of sites is near membranes where a 4 × 4 block starts in it or up to three rows below.
+/// A row of sites is near membranes where a block starts in it or fewer than `points` rows below.
 TT_CLONES void mark_near_membranes(const Lattice& lattice, Stencils& stencils) {
     const auto [begin, end] = team_share(lattice.ny);
     const int pitch = stencils.starts.pitch();
@@ -150,7 +153,7 @@ TT_CLONES void mark_near_membranes(const Lattice& lattice, Stencils& stencils) {
         std::fill_n(marks, pitch, std::uint8_t{0});
         for (const int image : {j, j - lattice.ny, j + lattice.ny}) {
             if (image != j && lattice.walls) continue;
-            for (int start = image - reach + 1; start <= image; ++start) {
+            for (int start = image - stencils.points + 1; start <= image; ++start) {
                 const int row = start - lowest_start;
                 if (row < 0 || row >= start_rows(lattice)) continue;
                 const std::uint8_t* const starts = stencils.starts.row(row);
@@ -168,19 +171,21 @@ void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
     TT_EXPECTS(static_cast<int>(stencils.i.size()) == cells.node_count());
     const auto [begin, end] = team_share(cells.node_count());
     const Weigh weigh_axis = std::visit(WeighOf{}, delta);
+    const int points = std::visit([](const auto& kernel) { return kernel.points; }, delta);
+    if (team_rank() == 0) stencils.points = points;
     const double y_period = lattice.walls ? 0.0 : lattice.ny;
-    weigh_axis({cells.x.data(), static_cast<double>(lattice.nx), stencils.i.data(),
+    weigh_axis({cells.x.data(), lattice.nx, static_cast<double>(lattice.nx), stencils.i.data(),
                 stencils.wx.data(), stencils.sx.data()},
                begin, end);
-    weigh_axis(
-        {cells.y.data(), y_period, stencils.j.data(), stencils.wy.data(), stencils.sy.data()},
-        begin, end);
+    weigh_axis({cells.y.data(), lattice.ny, y_period, stencils.j.data(), stencils.wy.data(),
+                stencils.sy.data()},
+               begin, end);
     if (lattice.walls) {
         for (int n = begin; n < end; ++n) {
             const int j = stencils.j[n];
-            if (j >= 0 && j + reach <= lattice.ny) continue;
-            make_one_sided(cells.y[n], j, lattice.ny, &stencils.wy[reach * n]);
-            slope_one_sided(cells.y[n], j, &stencils.wy[reach * n], &stencils.sy[reach * n]);
+            if (j >= 0 && j + points <= lattice.ny) continue;
+            make_one_sided(cells.y[n], j, lattice.ny, &stencils.wy[width * n]);
+            slope_one_sided(cells.y[n], j, &stencils.wy[width * n], &stencils.sy[width * n]);
         }
     }
     team_barrier();

@@ -10,14 +10,15 @@
 
 namespace tt {
 
-/// Where each node meets the lattice: the 4 × 4 block of sites from (i, j) and the weights along x
-/// and along y, whose products sum to 1. Computed once a step and shared by spread and interpolate,
-/// which are therefore adjoint to the bit. i is wrapped into the box, so that the block lies on
-/// sites or on the halo; so is j where y is periodic.
+/// Where each node meets the lattice: the block of points × points sites from (i, j) and the
+/// weights along x and along y, whose products sum to 1. Computed once a step and shared by spread
+/// and interpolate, which are therefore adjoint to the bit. i is wrapped into the box, so that the
+/// block lies on sites or on the halo; so is j where y is periodic.
 struct Stencils {
-    static constexpr int reach = 4;
+    static constexpr int width = 4;  ///< weights kept for each axis, those past the block 0
+    int points = width;              ///< sites of a block along each axis
     std::vector<std::int32_t> i, j;  ///< per node: lower left site of the block
-    std::vector<double> wx, wy;      ///< per node: `reach` weights along each axis
+    std::vector<double> wx, wy;      ///< per node: `width` weights along each axis
     std::vector<double> sx, sy;      ///< per node: their derivatives by the node's position
     SiteBlocks near_membranes;       ///< marks all sites of all blocks, where they stand in the box
     SiteBlocks starts;               ///< work space of `locate`
@@ -26,10 +27,10 @@ struct Stencils {
     Stencils(const Lattice& lattice, int node_count)
         : i(node_count),
           j(node_count),
-          wx(reach * node_count),
-          wy(reach * node_count),
-          sx(reach * node_count),
-          sy(reach * node_count),
+          wx(width * node_count),
+          wy(width * node_count),
+          sx(width * node_count),
+          sy(width * node_count),
           near_membranes(lattice),
           starts(Lattice{lattice.nx, lattice.ny + 1}) {}
 };

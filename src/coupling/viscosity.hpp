@@ -23,8 +23,7 @@ using InteriorMethod = std::variant<ScanLine, FloodFill>;
 
 /// How the fraction of cytoplasm passes from 0 to 1 across a membrane. Another way is one more
 /// struct with `reach()` and a call operator that fills a patch.
-using InterfaceViscosity =
-    std::variant<SharpInterface, SmoothedInterface, AreaFraction>;
+using InterfaceViscosity = std::variant<SharpInterface, SmoothedInterface, AreaFraction>;
 
 /// The two-viscosity model, lattice units.
 struct ViscosityModel {

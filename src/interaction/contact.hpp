@@ -40,22 +40,31 @@ struct ContactPair {
     Vec2 shift;  ///< of the image of the other cell, whole periods
 };
 
-/// A pair within reach at this step, and its force.
-struct ContactHit {
-    std::int32_t node = 0;
-    std::int32_t other = 0;
-    std::int32_t from = 0, to = 0;  ///< nodes of the partner's segment
-    double along = 0.0;             ///< place on it
-    Vec2 normal;                    ///< unit, away from the partner
-    double gap = 0.0;               ///< negative where the node is inside the partner
-    double share = 0.0;             ///< half the node's arc length
-    Vec2 force;                     ///< on the node; the opposite on the partner
+/// The pairs within reach at this step and their forces: one array a quantity, since their
+/// arithmetic is done side by side.
+struct ContactHits {
+    int count = 0;
+    std::vector<std::int32_t> node, other;
+    std::vector<std::int32_t> from, to, before;  ///< nodes of the partner's segment, and the last
+    std::vector<double> along;                   ///< place on it
+    std::vector<double> x, y;                    ///< the node, beside the partner
+    std::vector<double> gap;                     ///< negative where the node is inside the partner
+    std::vector<double> area_x, area_y;  ///< half the node's arc length, directed away from the
+                                         ///< partner: times the pressure it is the force
+    std::vector<double> pressure;
+
+    /// Room for so many; keeps none.
+    void make_room(std::size_t most) {
+        count = 0;
+        for (auto* array : {&node, &other, &from, &to, &before}) array->resize(most);
+        for (auto* array : {&along, &x, &y, &gap, &area_x, &area_y, &pressure}) array->resize(most);
+    }
 };
 
 /// What one cell keeps for its search.
 struct CellContacts {
     std::vector<ContactPair> pairs;
-    std::vector<ContactHit> hits;
+    ContactHits hits;
     std::vector<Neighbour> neighbours;
     std::vector<double> lower;
     SegmentBoxes boxes;

@@ -9,25 +9,31 @@
 namespace tt {
 namespace {
 
-/// Squared distance from the origin to each of `window` segments between consecutive points, and
-/// where on it.
+double factor_of(Nearest nearest) { return nearest == Nearest::segment ? 1.0 : 0.0; }
+
+/// Squared distance of a point to the segment from (x0, y0) to (x1, y1), and where on it. Where
+/// only nodes count, `segments_count` is 0 and the place the first node.
+TT_INLINE double distance2_to(double px, double py, double x0, double y0, double x1, double y1,
+                              double segments_count, double& along) {
+    const double ax = x0 - px;
+    const double ay = y0 - py;
+    const double ex = x1 - x0;
+    const double ey = y1 - y0;
+    const double length2 = ex * ex + ey * ey;
+    // Two nodes on one spot make a segment of no length: any place on it will do.
+    const double place = -(ax * ex + ay * ey) / greater(length2, 1e-300);
+    along = segments_count * lesser(1.0, greater(0.0, place));
+    const double dx = ax + along * ex;
+    const double dy = ay + along * ey;
+    return dx * dx + dy * dy;
+}
+
 TT_INLINE void measure_window(const double* x, const double* y, Vec2 point, double segments_count,
                               double* distance2, double* along) {
 #pragma omp simd
-    for (int k = 0; k < window; ++k) {
-        const double ax = x[k] - point.x;
-        const double ay = y[k] - point.y;
-        const double ex = x[k + 1] - x[k];
-        const double ey = y[k + 1] - y[k];
-        const double length2 = ex * ex + ey * ey;
-        // Two nodes on one spot make a segment of no length: any place on it will do.
-        const double place = -(ax * ex + ay * ey) / greater(length2, 1e-300);
-        const double t = segments_count * lesser(1.0, greater(0.0, place));
-        const double dx = ax + t * ex;
-        const double dy = ay + t * ey;
-        distance2[k] = dx * dx + dy * dy;
-        along[k] = t;
-    }
+    for (int k = 0; k < window; ++k)
+        distance2[k] = distance2_to(point.x, point.y, x[k], y[k], x[k + 1], y[k + 1],
+                                    segments_count, along[k]);
 }
 
 TT_CLONES NearestPoint nearest_of(const double* x, const double* y, Vec2 point,
@@ -110,7 +116,7 @@ double nearest_outside(const Outline& outline, Vec2 point, Nearest nearest, int 
                        int window_first) {
     const int size = outline.size();
     const int first = box * window;
-    const double segments_count = nearest == Nearest::segment ? 1.0 : 0.0;
+    const double segments_count = factor_of(nearest);
     const int offset = first - window_first + (first < window_first ? size : 0);
     if (first + window < size)
         return std::sqrt(nearest_outside2(outline.x.data() + first, outline.y.data() + first, point,
@@ -119,11 +125,52 @@ double nearest_outside(const Outline& outline, Vec2 point, Nearest nearest, int 
     return std::sqrt(nearest_outside2(nodes.x, nodes.y, point, segments_count, offset, size));
 }
 
+TT_CLONES void look_through_windows(const double* x, const double* y, double segments_count,
+                                    int count, WindowBatch& batch) {
+    double x0[WindowBatch::size], y0[WindowBatch::size];
+    double segment[WindowBatch::size];
+    std::int32_t node[WindowBatch::size];
+#pragma omp simd
+    for (int p = 0; p < count; ++p) {
+        node[p] = batch.first[p];
+        x0[p] = x[node[p]];
+        y0[p] = y[node[p]];
+        batch.distance2[p] = HUGE_VAL;
+        batch.along[p] = 0.0;
+        segment[p] = 0.0;
+    }
+    for (int k = 0; k < window; ++k) {
+#pragma omp simd
+        for (int p = 0; p < count; ++p) {
+            const std::int32_t next = node[p] + 1 == batch.end[p] ? batch.begin[p] : node[p] + 1;
+            const double x1 = x[next], y1 = y[next];
+            double along;
+            const double d2 =
+                distance2_to(batch.x[p], batch.y[p], x0[p], y0[p], x1, y1, segments_count, along);
+            const double here = node[p];
+            const bool nearer =
+                (d2 < batch.distance2[p]) | ((d2 == batch.distance2[p]) & (here < segment[p]));
+            batch.distance2[p] = nearer ? d2 : batch.distance2[p];
+            batch.along[p] = nearer ? along : batch.along[p];
+            segment[p] = nearer ? here : segment[p];
+            node[p] = next;
+            x0[p] = x1;
+            y0[p] = y1;
+        }
+    }
+    for (int p = 0; p < count; ++p) batch.segment[p] = static_cast<std::int32_t>(segment[p]);
+}
+
 }  // namespace
+
+void nearest_in_windows(const double* x, const double* y, Nearest nearest, int count,
+                        WindowBatch& batch) {
+    look_through_windows(x, y, factor_of(nearest), count, batch);
+}
 
 NearestPoint nearest_in_window(const Outline& outline, Vec2 point, int first, Nearest nearest) {
     const int size = outline.size();
-    const double segments_count = nearest == Nearest::segment ? 1.0 : 0.0;
+    const double segments_count = factor_of(nearest);
     if (first + window < size) {
         NearestPoint found =
             nearest_of(outline.x.data() + first, outline.y.data() + first, point, segments_count);

@@ -26,6 +26,19 @@ inline constexpr int window = 8;
 /// of the outline continuing at its start.
 NearestPoint nearest_in_window(const Outline& outline, Vec2 point, int first, Nearest nearest);
 
+/// The same for several points at once, each with a window of an outline of its own: side by side
+/// the arithmetic of eight takes the time of one. Outlines are told by their nodes in two arrays of
+/// coordinates.
+struct WindowBatch {
+    static constexpr int size = 64;
+    double x[size], y[size];                           ///< in: the points
+    std::int32_t first[size], begin[size], end[size];  ///< in: start of the window; the outline
+    double distance2[size], along[size];               ///< out
+    std::int32_t segment[size];                        ///< out: the segment's first node
+};
+void nearest_in_windows(const double* x, const double* y, Nearest nearest, int count,
+                        WindowBatch& batch);
+
 /// Bounding boxes of each `window` segments of an outline: what lets a search pass over most of it.
 struct SegmentBoxes {
     std::vector<double> low_x, high_x, low_y, high_y;

@@ -95,7 +95,6 @@ void list_pairs(const ContactModel& model, const Suspension& cells, ContactState
     const double reach = contact.listed_reach + 2.0 * skin;
     // Room for every node to have two neighbours, so that lists seldom grow during a run.
     mine.pairs.reserve(2 * cells.node_count(cell));
-    mine.hits.reserve(2 * cells.node_count(cell));
     mine.neighbours.reserve(32);
     mine.pairs.clear();
     contact.bins.near(cell, mine.neighbours);
@@ -111,7 +110,7 @@ void list_pairs(const ContactModel& model, const Suspension& cells, ContactState
             if (found.distance2 <= reach * reach) mine.pairs.push_back(pair);
         }
     }
-    mine.hits.reserve(mine.pairs.capacity());
+    mine.hits.make_room(mine.pairs.capacity());
 }
 
 /// Lists all pairs anew. Allocates where there are more pairs than ever before.
@@ -141,48 +140,23 @@ void list_all_pairs(const ContactModel& model, const Lattice& lattice, const Sus
     team_barrier();
 }
 
-/// Outward direction of the outline at a node, not normalised: the mean of the normals of its
-/// segments.
-Vec2 outward_at_node(const Outline& outline, int node) {
-    const int size = outline.size();
-    const Vec2 here = outline[node];
-    const Vec2 before = here - outline[node > 0 ? node - 1 : size - 1];
-    const Vec2 after = outline[node + 1 < size ? node + 1 : 0] - here;
-    return turned_right(before * norm(after) + after * norm(before));
-}
-
-/// The hit of a pair whose nearest point is given: gap with its sign, and direction. A point at a
-/// node is always told as the start of the segment after it, so that equal points give equal bits.
-ContactHit hit_of(const Suspension& cells, const ContactPair& pair, NearestPoint at) {
-    const Outline other = outline(cells, pair.other);
-    const int size = other.size();
-    if (at.along == 1.0) at = {at.distance2, at.segment + 1 < size ? at.segment + 1 : 0, 0.0};
-    const int next = at.segment + 1 < size ? at.segment + 1 : 0;
-    const Vec2 edge = other[next] - other[at.segment];
-    const Vec2 apart = node_in_frame(cells, pair) - other[at.segment] - at.along * edge;
-    const Vec2 outward = at.along > 0.0 ? turned_right(edge) : outward_at_node(other, at.segment);
-    const double distance = norm(apart);
-    const double side = dot(apart, outward) < 0.0 ? -1.0 : 1.0;
-    ContactHit hit;
-    hit.node = pair.node;
-    hit.other = pair.other;
-    hit.from = cells.first[pair.other] + at.segment;
-    hit.to = cells.first[pair.other] + next;
-    hit.along = at.along;
-    hit.gap = side * distance;
-    // On the membrane itself the line between the two points has no direction; its normal has.
-    hit.normal = distance > 0.0 ? (side / distance) * apart : outward / norm(outward);
-    return hit;
-}
-
-/// Half the arc length that belongs to a node: each of the two membranes contributes half of the
-/// pressure.
-double share_of(const Suspension& cells, int cell, int node) {
-    const int first = cells.first[cell], last = cells.first[cell + 1] - 1;
-    const Vec2 here = cells.position(node);
-    const Vec2 before = cells.position(node > first ? node - 1 : last);
-    const Vec2 after = cells.position(node < last ? node + 1 : first);
-    return 0.25 * (norm(here - before) + norm(after - here));
+/// Keeps a pair as a hit. A point at a node is always told as the start of the segment after it, so
+/// that equal points give equal bits.
+void keep(const Suspension& cells, const ContactPair& pair, Vec2 node, NearestPoint at,
+          ContactHits& hits) {
+    const int first = cells.first[pair.other], size = cells.node_count(pair.other);
+    const auto next = [size](int segment) { return segment + 1 < size ? segment + 1 : 0; };
+    const bool at_end = at.along == 1.0;
+    const int from = at_end ? next(at.segment) : at.segment;
+    const int k = hits.count++;
+    hits.node[k] = pair.node;
+    hits.other[k] = pair.other;
+    hits.from[k] = first + from;
+    hits.to[k] = first + next(from);
+    hits.before[k] = first + (from > 0 ? from : size) - 1;
+    hits.along[k] = at_end ? 0.0 : at.along;
+    hits.x[k] = node.x;
+    hits.y[k] = node.y;
 }
 
 /// Finds the pairs of one cell that are within reach now.
@@ -190,42 +164,90 @@ void find_hits(const ContactModel& model, const Suspension& cells, ContactState&
                Vec2 drift) {
     CellContacts& mine = contact.cells[cell];
     const double reach2 = contact.listed_reach * contact.listed_reach;
-    mine.hits.clear();
-    for (ContactPair& pair : mine.pairs) {
-        NearestPoint at = nearest_in_window(outline(cells, pair.other), node_in_frame(cells, pair),
-                                            pair.window_first, model.nearest);
-        const double bound = pair.outside - mine.moved - contact.cells[pair.other].moved - rounding;
-        if (!(bound > 0.0 && at.distance2 < bound * bound)) {
-            at = search_again(model, cells, contact, mine, drift, pair);
+    const int count = static_cast<int>(mine.pairs.size());
+    mine.hits.count = 0;
+    WindowBatch batch;
+    for (int begin = 0; begin < count; begin += WindowBatch::size) {
+        const int size = std::min(count - begin, WindowBatch::size);
+        for (int k = 0; k < size; ++k) {
+            const ContactPair& pair = mine.pairs[begin + k];
+            const Vec2 node = node_in_frame(cells, pair);
+            batch.x[k] = node.x;
+            batch.y[k] = node.y;
+            batch.begin[k] = cells.first[pair.other];
+            batch.end[k] = cells.first[pair.other + 1];
+            batch.first[k] = batch.begin[k] + pair.window_first;
         }
-        if (!(at.distance2 <= reach2)) continue;
-        mine.hits.push_back(hit_of(cells, pair, at));
-        mine.hits.back().share = share_of(cells, cell, pair.node);
+        nearest_in_windows(cells.x.data(), cells.y.data(), model.nearest, size, batch);
+        for (int k = 0; k < size; ++k) {
+            ContactPair& pair = mine.pairs[begin + k];
+            NearestPoint at{batch.distance2[k], batch.segment[k] - batch.begin[k], batch.along[k]};
+            const double bound =
+                pair.outside - mine.moved - contact.cells[pair.other].moved - rounding;
+            if (!(bound > 0.0 && at.distance2 < bound * bound))
+                at = search_again(model, cells, contact, mine, drift, pair);
+            if (at.distance2 <= reach2) keep(cells, pair, {batch.x[k], batch.y[k]}, at, mine.hits);
+        }
     }
 }
 
-/// Sets the forces of one cell's hits.
-TT_CLONES void press(const Morse& law, double range, double alpha, std::vector<ContactHit>& hits) {
-    for (ContactHit& hit : hits) {
-        const double p = hit.gap <= range ? law.pressure(hit.gap, alpha) : 0.0;
-        hit.force = p * hit.share * hit.normal;
+/// Gap, with its sign, and directed area of the hits of one cell, whose nodes are [first, last].
+TT_CLONES void measure_hits(const double* x, const double* y, int first, int last,
+                            ContactHits& hits) {
+    const auto at = [x, y](int node) TT_INLINE_LAMBDA { return Vec2{x[node], y[node]}; };
+    const int count = hits.count;
+#pragma omp simd
+    for (int k = 0; k < count; ++k) {
+        const int node = hits.node[k];
+        const Vec2 here = at(node);
+        const double arc = norm(here - at(node > first ? node - 1 : last)) +
+                           norm(at(node < last ? node + 1 : first) - here);
+
+        const Vec2 from = at(hits.from[k]);
+        const Vec2 edge = at(hits.to[k]) - from;
+        const Vec2 back = from - at(hits.before[k]);
+        const Vec2 apart = Vec2{hits.x[k], hits.y[k]} - from - hits.along[k] * edge;
+        const double distance = norm(apart);
+        // At a node the outline's direction is the mean of its two segments'.
+        const Vec2 mean = back * norm(edge) + edge * norm(back);
+        const bool at_node = !(hits.along[k] > 0.0);
+        const Vec2 outward = turned_right({at_node ? mean.x : edge.x, at_node ? mean.y : edge.y});
+        const double side = dot(apart, outward) < 0.0 ? -1.0 : 1.0;
+        // On the membrane itself the line between the two points has no direction; its normal has.
+        const bool on = !(distance > 0.0);
+        const Vec2 away{on ? outward.x : side * apart.x, on ? outward.y : side * apart.y};
+        const double share = 0.25 * arc / norm(away);
+        hits.gap[k] = side * distance;
+        hits.area_x[k] = share * away.x;
+        hits.area_y[k] = share * away.y;
     }
 }
 
-void set_forces(const ContactModel& model, double alpha, CellContacts& mine) {
+/// Sets the pressures of one cell's hits.
+TT_CLONES void press(const Morse& law, double range, double alpha, ContactHits& hits) {
+    const int count = hits.count;
+#pragma omp simd
+    for (int k = 0; k < count; ++k) {
+        const double pressure = law.pressure(hits.gap[k], alpha);
+        hits.pressure[k] = hits.gap[k] <= range ? pressure : 0.0;
+    }
+}
+
+void set_pressures(const ContactModel& model, double alpha, CellContacts& mine) {
+    ContactHits& hits = mine.hits;
     mine.smallest_gap = HUGE_VAL;
     mine.repelled = 0;
-    for (ContactHit& hit : mine.hits) {
-        hit.force = {};
-        mine.smallest_gap = std::min(mine.smallest_gap, hit.gap);
-    }
+    for (int k = 0; k < hits.count; ++k)
+        mine.smallest_gap = std::min(mine.smallest_gap, hits.gap[k]);
     if (const auto* law = std::get_if<Morse>(&model.law))
-        press(*law, model.range, law->scale_repulsion ? alpha : 1.0, mine.hits);
+        press(*law, model.range, law->scale_repulsion ? alpha : 1.0, hits);
+    else
+        std::fill_n(hits.pressure.begin(), hits.count, 0.0);
     if (model.repulsion_range <= 0.0) return;
     const ShortRangeRepulsion repulsion{model.repulsion_range, model.repulsion_strength};
-    for (ContactHit& hit : mine.hits) {
-        if (hit.gap >= repulsion.range) continue;
-        hit.force += repulsion.pressure(hit.gap) * hit.share * hit.normal;
+    for (int k = 0; k < hits.count; ++k) {
+        if (hits.gap[k] >= repulsion.range) continue;
+        hits.pressure[k] += repulsion.pressure(hits.gap[k]);
         ++mine.repelled;
     }
 }
@@ -238,14 +260,26 @@ void add_hits(Suspension& cells, const ContactState& contact, int begin, int end
     };
     for (int c = 0; c < cells.cell_count(); ++c) {
         const bool own = begin <= c && c < end;
-        for (const ContactHit& hit : contact.cells[c].hits) {
-            if (own) add(hit.node, hit.force);
-            if (hit.other < begin || hit.other >= end) continue;
-            const Vec2 to = hit.along * hit.force;
-            add(hit.from, to - hit.force);
-            add(hit.to, -to);
+        const ContactHits& hits = contact.cells[c].hits;
+        for (int k = 0; k < hits.count; ++k) {
+            const Vec2 force = hits.pressure[k] * Vec2{hits.area_x[k], hits.area_y[k]};
+            if (own) add(hits.node[k], force);
+            if (hits.other[k] < begin || hits.other[k] >= end) continue;
+            const Vec2 to = hits.along[k] * force;
+            add(hits.from[k], to - force);
+            add(hits.to[k], -to);
         }
     }
+}
+
+/// Half the arc length that belongs to a node: each of the two membranes contributes half of the
+/// pressure.
+double share_of(const Suspension& cells, int cell, int node) {
+    const int first = cells.first[cell], last = cells.first[cell + 1] - 1;
+    const Vec2 here = cells.position(node);
+    const Vec2 before = cells.position(node > first ? node - 1 : last);
+    const Vec2 after = cells.position(node < last ? node + 1 : first);
+    return 0.25 * (norm(here - before) + norm(after - here));
 }
 
 /// Short-range repulsion of the walls at y = 0 and y = ny from the nodes of one cell; returns how
@@ -278,7 +312,9 @@ void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspensi
     const auto [begin, end] = team_share(cells.cell_count());
     for (int c = begin; c < end; ++c) {
         find_hits(model, cells, contact, c, drift);
-        set_forces(model, cells.alpha[c], contact.cells[c]);
+        measure_hits(cells.x.data(), cells.y.data(), cells.first[c], cells.first[c + 1] - 1,
+                     contact.cells[c].hits);
+        set_pressures(model, cells.alpha[c], contact.cells[c]);
     }
     team_barrier();
     add_hits(cells, contact, begin, end);

@@ -139,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(Delta, EveryKernel,
 TEST(Cosine4, has_the_weights_of_its_formula) {
     for (double s = 0.0; s < 1.0; s += 0.01) {
         double w[4], slope[4];
-        Cosine4::weights(s, w, slope);
+        Cosine4::weights(1.0 + s, w, slope);
         for (int k = 0; k < 4; ++k)
             EXPECT_NEAR(w[k], 0.25 * (1.0 + std::cos(0.5 * M_PI * (k - 1 - s))), 1e-15);
     }
@@ -151,7 +151,7 @@ TEST(FourPointKernels, do_not_see_the_staggered_mode) {
     for (double s = 0.0; s < 1.0; s += 0.013) {
         for (const Delta& delta : {Delta{Peskin4{}}, Delta{Cosine4{}}}) {
             double w[4], slope[4];
-            std::visit([&](const auto& kernel) { kernel.weights(s, w, slope); }, delta);
+            std::visit([&](const auto& kernel) { kernel.weights(1.0 + s, w, slope); }, delta);
             EXPECT_NEAR(w[0] + w[2], 0.5, 1e-14);
             EXPECT_NEAR(w[1] + w[3], 0.5, 1e-14);
             EXPECT_NEAR(slope[0] + slope[2], 0.0, 1e-14);

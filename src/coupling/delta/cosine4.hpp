@@ -15,7 +15,9 @@ namespace tt {
 struct Cosine4 {
     static constexpr std::string_view name = "cosine4";
     static constexpr KernelSpread spread{0.429, 0.359, 0.0965, 0.108, 0.3675};
-    TT_INLINE static void weights(double s, double (&w)[4], double (&slope)[4]) {
+    static constexpr int points = 4;
+    TT_INLINE static void weights(double r, double (&w)[4], double (&slope)[4]) {
+        const double s = r - 1.0;
         // sin(πs/2) and cos(πs/2) by their series about s = ½ (|x| ≤ π/4): error below 1e-15.
         const double x = 1.5707963267948966 * (s - 0.5);
         const double q = x * x;

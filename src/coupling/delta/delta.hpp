@@ -9,10 +9,10 @@
 
 namespace tt {
 
-/// The discrete delta kernels, each a product of one weight function per axis. Given the offset s ∈
-/// [0, 1) of a node from the second of the four sites around it, `weights(s, w, slope)` sets the
-/// weights of the sites at −1, 0, 1, 2 and their derivatives by s (scaled where Σ slope · distance
-/// is not 1, so that both are exact for linear fields).
+/// The discrete delta kernels, each a product of one weight function per axis. Given the offset r ∈
+/// [points/2 − 1, points/2) of a node from the first of the `points` sites it reaches,
+/// `weights(r, w, slope)` sets the weights of four sites from that one on and their derivatives by
+/// r (scaled where Σ slope · distance is not 1, so that both are exact for linear fields).
 ///
 /// The 4-point kernels weigh even and odd sites alike, Σ_even w = Σ_odd w and Σ_even slope = Σ_odd
 /// slope = 0. This matters: a lattice Boltzmann fluid conserves the momentum (−1)^{x+t} u as well,

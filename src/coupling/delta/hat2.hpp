@@ -11,7 +11,9 @@ namespace tt {
 struct Hat2 {
     static constexpr std::string_view name = "hat2";
     static constexpr KernelSpread spread{0.260, 0.2734, 0.154, 0.088, 0.65};
-    TT_INLINE static void weights(double s, double (&w)[4], double (&slope)[4]) {
+    static constexpr int points = 4;  // the outer two without weight
+    TT_INLINE static void weights(double r, double (&w)[4], double (&slope)[4]) {
+        const double s = r - 1.0;
         slope[0] = 0.0;
         slope[1] = -1.0;
         slope[2] = 1.0;

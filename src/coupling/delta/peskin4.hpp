@@ -13,7 +13,9 @@ namespace tt {
 struct Peskin4 {
     static constexpr std::string_view name = "peskin4";
     static constexpr KernelSpread spread{0.4293, 0.3588, 0.0955, 0.108, 0.3665};
-    TT_INLINE static void weights(double s, double (&w)[4], double (&slope)[4]) {
+    static constexpr int points = 4;
+    TT_INLINE static void weights(double r, double (&w)[4], double (&slope)[4]) {
+        const double s = r - 1.0;
         const double root = std::sqrt(1.0 + 4.0 * s * (1.0 - s));
         const double turn = (0.25 - 0.5 * s) / root;
         slope[0] = -0.25 - turn;
