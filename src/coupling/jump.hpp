@@ -19,8 +19,9 @@ namespace tt {
 /// taken off the node velocity, with σ̄ from the interpolated shear rate.
 struct JumpCorrection {
     bool active = false;
-    double mean_fluidity = 0.0;  ///< φ̄ = ½ (1/μ_out + 1/μ_in)
-    double fluidity_jump = 0.0;  ///< Δφ = 1/μ_out − 1/μ_in
+    double mean_fluidity = 0.0;   ///< φ̄ = ½ (1/μ_out + 1/μ_in)
+    double mean_viscosity = 0.0;  ///< 1/φ̄
+    double fluidity_jump = 0.0;   ///< Δφ = 1/μ_out − 1/μ_in
     KernelSpread spread{};
 
     /// Whether (i) is needed: not where both fluids have the same viscosity.

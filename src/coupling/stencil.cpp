@@ -106,12 +106,18 @@ TT_INLINE void interpolate_nodes(const Stencils& stencils, const VectorField& ve
             }
         }
         const Four wx = load_four(&stencils.wx[width * n]);
-        cells.ux[n] = sum_of(ux * wx);
-        cells.uy[n] = sum_of(uy * wx);
+        Four xx{}, xy{};
         if constexpr (order == Order::first) {
             const Four sx = load_four(&stencils.sx[width * n]);
-            cells.rate_xx[n] = sum_of(ux * sx) - sum_of(slope_y * wx);
-            cells.rate_xy[n] = sum_of(slope_x * wx) + sum_of(uy * sx);
+            xx = ux * sx - slope_y * wx;
+            xy = slope_x * wx + uy * sx;
+        }
+        const Four sums = sums_of(ux * wx, uy * wx, xx, xy);
+        cells.ux[n] = sums[0];
+        cells.uy[n] = sums[1];
+        if constexpr (order == Order::first) {
+            cells.rate_xx[n] = sums[2];
+            cells.rate_xy[n] = sums[3];
         }
     }
 }

@@ -5,9 +5,6 @@
 namespace tt {
 namespace {
 
-/// n modulo count, in 0 … count − 1.
-int wrapped(int n, int count) { return ((n % count) + count) % count; }
-
 /// Calls f(i, x, y, home_x, home_y, length) for each run of halo sites of slot i that an odd pass
 /// uses: the neighbours along c_i, outside the box, of sites in it, and the sites they stand for.
 /// Each thread its share.

@@ -31,4 +31,11 @@ struct Lattice {
     friend constexpr bool operator==(const Lattice&, const Lattice&) = default;
 };
 
+/// n modulo count, in 0 … count − 1, for an n not far from them: a division takes longer.
+constexpr int wrapped(int n, int count) {
+    while (n < 0) n += count;
+    while (n >= count) n -= count;
+    return n;
+}
+
 }  // namespace tt

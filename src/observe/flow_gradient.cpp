@@ -5,8 +5,6 @@
 namespace tt {
 namespace {
 
-int wrapped(int i, int n) { return ((i % n) + n) % n; }
-
 Vec2 mixed(Vec2 a, Vec2 b, double t) { return (1.0 - t) * a + t * b; }
 
 VelocityGradient mixed(const VelocityGradient& a, const VelocityGradient& b, double t) {

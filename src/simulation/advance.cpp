@@ -1,5 +1,7 @@
 #include "simulation/advance.hpp"
 
+#include <utility>
+
 #include "base/parallel.hpp"
 #include "fluid/collide_stream.hpp"
 #include "membrane/area.hpp"
@@ -13,13 +15,15 @@ namespace {
 /// does not see it, and so cannot feed it (docs/theory/interface.md).
 void average_in_time(Suspension& cells, bool first_step) {
     const auto [begin, end] = team_share(cells.node_count());
-    for (int n = begin; n < end; ++n) {
-        const Vec2 now = cells.velocity(n);
-        const Vec2 last = first_step ? now : Vec2{cells.ux_sampled[n], cells.uy_sampled[n]};
-        cells.ux_sampled[n] = now.x;
-        cells.uy_sampled[n] = now.y;
-        cells.ux[n] = 0.5 * (now.x + last.x);
-        cells.uy[n] = 0.5 * (now.y + last.y);
+    for (auto [velocity, sampled] :
+         {std::pair{&cells.ux, &cells.ux_sampled}, std::pair{&cells.uy, &cells.uy_sampled}}) {
+        double* const u = velocity->data();
+        double* const last = sampled->data();
+        for (int n = begin; n < end; ++n) {
+            const double now = u[n];
+            u[n] = first_step ? now : 0.5 * (now + last[n]);
+            last[n] = now;
+        }
     }
     team_barrier();
 }
