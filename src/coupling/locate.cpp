@@ -48,9 +48,11 @@ TT_INLINE void weigh(const Axis& axis, int begin, int end) {
             w0[n] = w[0], w1[n] = w[1], w2[n] = w[2], w3[n] = w[3];
             s0[n] = slopes[0], s1[n] = slopes[1], s2[n] = slopes[2], s3[n] = slopes[3];
         }
+        double* const __restrict weights = axis.weights + width * at;
+        double* const __restrict slopes = axis.slopes + width * at;
         for (int n = 0; n < count; ++n) {
-            store_four(axis.weights + width * (at + n), Four{w0[n], w1[n], w2[n], w3[n]});
-            store_four(axis.slopes + width * (at + n), Four{s0[n], s1[n], s2[n], s3[n]});
+            store_four(weights + width * n, Four{w0[n], w1[n], w2[n], w3[n]});
+            store_four(slopes + width * n, Four{s0[n], s1[n], s2[n], s3[n]});
         }
     }
 }

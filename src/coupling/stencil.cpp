@@ -62,7 +62,7 @@ TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, c
 }
 
 /// Zeroes a row of both fields, halo included, but for the blocks that are not marked.
-void clear_row(double* x, double* y, int nx, const std::uint8_t* marks, int blocks) {
+TT_CLONES void clear_row(double* x, double* y, int nx, const std::uint8_t* marks, int blocks) {
     constexpr int sites = SiteBlocks::width, halo = Lattice::halo;
     for (double* const row : {x, y}) {
         std::fill_n(row - halo, halo, 0.0);
