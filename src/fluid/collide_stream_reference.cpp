@@ -7,9 +7,6 @@ namespace {
 
 using Nine = std::array<double, d2q9::count>;
 
-/// n modulo count, in 0 … count − 1.
-int wrapped(int n, int count) { return ((n % count) + count) % count; }
-
 /// The populations arriving at site (x, y), in either phase, without a halo.
 Nine arriving_at(const Populations& populations, int x, int y) {
     const Lattice& lattice = populations.lattice();

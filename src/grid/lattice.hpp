@@ -31,11 +31,11 @@ struct Lattice {
     friend constexpr bool operator==(const Lattice&, const Lattice&) = default;
 };
 
-/// n modulo count, in 0 … count − 1, for an n not far from them: a division takes longer.
+/// n modulo count, in 0 … count − 1; without a division where it is within one period of them.
 constexpr int wrapped(int n, int count) {
-    while (n < 0) n += count;
-    while (n >= count) n -= count;
-    return n;
+    if (n < 0) n += count;
+    if (n >= count) n -= count;
+    return n >= 0 && n < count ? n : (n % count + count) % count;
 }
 
 }  // namespace tt

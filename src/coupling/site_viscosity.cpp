@@ -1,0 +1,219 @@
+#include "coupling/site_viscosity.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "base/isa.hpp"
+#include "base/lesser.hpp"
+
+namespace tt {
+namespace {
+
+/// Viscosity without cells in row j. The row that the edge of the layer cuts has the harmonic mean
+/// of both, exact for shear along the layer.
+double plain_viscosity(const ViscosityModel& model, int j) {
+    const double share = std::clamp(model.layer_thickness - j, 0.0, 1.0);
+    return HarmonicMean{}(model.plasma, model.layer_viscosity, share);
+}
+
+/// Relaxation::kind of blocks of sites: plain fluid, the layer of a second one, cytoplasm.
+enum class Kind : std::uint8_t { mixed, plasma, layer, cytoplasm };
+
+/// Rates of each kind, rounded as those of a site of row j in the plasma or the layer are.
+template <class Mean, class Rule>
+std::array<Rates, Relaxation::kinds> rates_of_kinds(const ViscosityModel& model, const Mean& mean,
+                                                    const Rule& collision) {
+    return {Rates{}, collision.rates(mean(model.plasma, model.cytoplasm, 0.0)),
+            collision.rates(mean(model.layer_viscosity, model.cytoplasm, 0.0)),
+            collision.rates(mean(model.plasma, model.cytoplasm, 1.0))};
+}
+
+/// The kind of row j where there are no cells.
+Kind plain_kind(const ViscosityModel& model, int j) {
+    if (j >= model.layer_thickness) return Kind::plasma;
+    return j + 1 <= model.layer_thickness ? Kind::layer : Kind::mixed;
+}
+
+/// One row of what depends on the fractions.
+struct FractionRow {
+    int nx;
+    double plain, cytoplasm;      ///< viscosities
+    Kind plain_kind, inner_kind;  ///< of blocks without and full of cytoplasm
+    double* __restrict fraction;
+    double* __restrict even;
+    double* __restrict odd;
+    std::uint8_t* __restrict kind;
+};
+
+/// Sets the kind of the whole blocks that the sites [begin, end) of a row belong to.
+TT_INLINE void set_kinds(const FractionRow& row, int begin, int end) {
+    constexpr int width = SiteBlocks::width;
+    const int whole = row.nx / width;
+    for (int b = begin / width; b < whole && b * width < end; ++b) {
+        int zeros = 0, ones = 0;
+        for (int i = b * width; i < b * width + width; ++i) {
+            zeros += row.fraction[i] == 0.0 ? 1 : 0;
+            ones += row.fraction[i] == 1.0 ? 1 : 0;
+        }
+        const Kind found = zeros == width  ? row.plain_kind
+                           : ones == width ? row.inner_kind
+                                           : Kind::mixed;
+        row.kind[b] = static_cast<std::uint8_t>(found);
+    }
+}
+
+/// Sets what follows from the fractions of the sites [begin, end) of a row.
+template <class Mean, class Rule>
+TT_INLINE void set_rates(const Mean& mean, const Rule& collision, const FractionRow& row, int begin,
+                         int end) {
+    const FractionRow to = row;
+    for (int i = begin; i < end; ++i) {
+        const double f = lesser(1.0, greater(0.0, to.fraction[i]));
+        const Rates rates = collision.rates(mean(to.plain, to.cytoplasm, f));
+        to.even[i] = rates.even;
+        to.odd[i] = rates.odd;
+    }
+    set_kinds(to, begin, end);
+}
+
+/// Do `count` numbers differ in any bit?
+TT_INLINE bool differ(const double* a, const double* b, int count) {
+    std::uint64_t bits = 0;
+    for (int k = 0; k < count; ++k)
+        bits |= std::bit_cast<std::uint64_t>(a[k]) ^ std::bit_cast<std::uint64_t>(b[k]);
+    return bits != 0;
+}
+
+/// Adds (now − before) to the fractions of `count` sites of a row from `column` on, and sets what
+/// follows where that changes them. Most of a row is far from the membrane and unchanged, so it is
+/// taken in blocks.
+template <class Mean, class Rule>
+TT_CLONES void change_run(const Mean& mean, const Rule& collision, const FractionRow& row,
+                          int column, const double* __restrict now, const double* __restrict before,
+                          int count) {
+    constexpr int block = Patch::lanes;
+    const auto changed = [&](int k) {
+        return k + block <= count ? differ(now + k, before + k, block)
+                                  : differ(now + k, before + k, count - k);
+    };
+    double* const __restrict fraction = row.fraction + column;
+    for (int k = 0; k < count; k += block) {
+        if (!changed(k)) continue;
+        const int first = k;
+        do k += block;
+        while (k < count && changed(k));
+        const int last = std::min(k, count);
+        for (int n = first; n < last; ++n) fraction[n] += now[n] - before[n];
+        set_rates(mean, collision, row, column + first, column + last);
+    }
+}
+
+/// Where changed patches go: the fields, and the model's choices resolved.
+template <class Mean, class Rule>
+struct Target {
+    const ViscosityModel& model;
+    const Mean& mean;
+    const Rule& collision;
+    Field& fraction;
+    Relaxation& relaxation;
+
+    /// Row `j` of the box, columns `column` … unwrapped.
+    void change_row(int j, int column, int count, const double* now, const double* before) const {
+        const FractionRow to = row(j);
+        for (int done = 0; done < count;) {
+            const int i = wrapped(column + done, to.nx);
+            const int run = std::min(count - done, to.nx - i);
+            change_run(mean, collision, to, i, now + done, before + done, run);
+            done += run;
+        }
+    }
+
+    FractionRow row(int j) const {
+        const Kind plain = plain_kind(model, j);
+        return {fraction.lattice().nx,
+                plain_viscosity(model, j),
+                model.cytoplasm,
+                plain,
+                plain == Kind::plasma ? Kind::cytoplasm : Kind::mixed,
+                fraction.row(j),
+                relaxation.even.row(j),
+                relaxation.odd.row(j),
+                relaxation.kind.row(j)};
+    }
+};
+
+/// The `count` values of row `j` (unwrapped) of a patch from `column` on, 0 outside the patch.
+void copy_columns(const Patch& patch, int j, int column, int count, double* to) {
+    std::fill_n(to, count, 0.0);
+    const int r = j - patch.j;
+    if (r < 0 || r >= patch.height) return;
+    const int begin = std::max(column, patch.i);
+    const int end = std::min(column + count, patch.i + patch.width);
+    if (begin < end)
+        std::copy_n(patch.row(r) + (begin - patch.i), end - begin, to + (begin - column));
+}
+
+/// Changes one unwrapped row from `before` to `now` where the two patches differ in place.
+template <class T>
+void change_moved_row(const T& target, const Patch& now, const Patch& before, int row, int j) {
+    constexpr int chunk = 64;
+    double value_now[chunk];
+    double value_before[chunk];
+    const int begin = before.height == 0 ? now.i : std::min(now.i, before.i);
+    const int end =
+        std::max(now.i + now.width, before.height == 0 ? now.i : before.i + before.width);
+    for (int column = begin; column < end; column += chunk) {
+        const int count = std::min(chunk, end - column);
+        copy_columns(now, row, column, count, value_now);
+        copy_columns(before, row, column, count, value_before);
+        target.change_row(j, column, count, value_now, value_before);
+    }
+}
+
+template <class T>
+void change_rows(const T& target, const Patch& now, const Patch& before, std::pair<int, int> rows) {
+    const Lattice& lattice = target.fraction.lattice();
+    const bool still = now.same_place(before);
+    const int begin = before.height == 0 ? now.j : std::min(now.j, before.j);
+    const int end =
+        std::max(now.j + now.height, before.height == 0 ? now.j : before.j + before.height);
+    for (int row = begin; row < end; ++row) {
+        const int j = lattice.walls ? row : wrapped(row, lattice.ny);
+        if (j < rows.first || j >= rows.second) continue;
+        if (still)
+            target.change_row(j, now.i, now.width, now.row(row - now.j), before.row(row - now.j));
+        else
+            change_moved_row(target, now, before, row, j);
+    }
+}
+
+/// Calls `f(target)` with the model's mean and collision operator resolved.
+template <class F>
+void with_target(const ViscosityModel& model, Field& fraction, Relaxation& relaxation, F&& f) {
+    std::visit(
+        [&](const auto& mean, const auto& rule) {
+            f(Target{model, mean, rule, fraction, relaxation});
+        },
+        model.mean, model.collision);
+}
+
+}  // namespace
+
+void set_all_rates(const ViscosityModel& model, Field& fraction, Relaxation& relaxation) {
+    const Lattice& lattice = fraction.lattice();
+    with_target(model, fraction, relaxation, [&](const auto& target) {
+        relaxation.rates_of_kind = rates_of_kinds(model, target.mean, target.collision);
+        for (int j = 0; j < lattice.ny; ++j)
+            set_rates(target.mean, target.collision, target.row(j), 0, lattice.nx);
+    });
+}
+
+void change_patch(const ViscosityModel& model, const Patch& now, const Patch& before,
+                  std::pair<int, int> rows, Field& fraction, Relaxation& relaxation) {
+    with_target(model, fraction, relaxation,
+                [&](const auto& target) { change_rows(target, now, before, rows); });
+}
+
+}  // namespace tt
