@@ -126,6 +126,14 @@ class Measured:
         keep = table["time"] >= (0.0 if whole else self.window * (1 - 1e-9))
         return table[name][keep].reshape(-1, int(table["cell"].max()) + 1)
 
+    def chosen(self, name: str) -> str:
+        """What the program took for a quantity that the case leaves to it, in physical units: from the end of resolved.toml."""
+        for line in (self.results.directory / "resolved.toml").read_text().splitlines():
+            words = line.split("  ")
+            if words[0] == f"# {name}":
+                return next(word.strip() for word in words[1:] if word)
+        raise KeyError(name)
+
     def mean(self, name: str) -> float:
         return float(np.nanmean(self.series(name)))
 

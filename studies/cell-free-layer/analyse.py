@@ -60,7 +60,7 @@ def analyse(study):
     claims.append(Claim("blood thins with shear", "expected of blood", f"μ_rel {high.text(2)} at 50 /s, {low.text(2)} at 500 /s, velocity held",
                         high.mean - low.mean > high.sd + low.sd, "asked: a fall beyond the scatter over seeds"))
     study.draw("relative-viscosity", "Relative viscosity of Case III against the pseudo-shear rate that was reached; mean ± scatter over seeds.",
-               'set logscale x\nset xrange [30:700]\nset yrange [1:*]\nset xlabel "pseudo-shear rate reached [s^{-1}]"\nset ylabel "μ_{rel}"',
+               'set logscale x\nset xrange [30:700]\nset yrange [1:*]\nset xlabel "pseudo-shear rate reached [s^{-1}]"\nset ylabel "μ_{rel}"\nset key right bottom',
                [Curve(f"{hold} held", f"with yerrorlines linetype {k + 1} pointtype 7 pointsize 0.6",
                       [[reached[hold, rate].mean for rate in RATES], [viscosity[hold, rate].mean for rate in RATES], [viscosity[hold, rate].sd for rate in RATES]])
                 for k, hold in enumerate(HOLDS)]

@@ -66,5 +66,5 @@ def analyse(study):
     for name, top, part in [("extension-ratio", "*", ""), ("extension-ratio-hardened", "1.3", " The same, without Case I at 500 /s.")]:
         study.draw(name, "Extension ratio λ_C, mean over twelve cells and the later five transits. Filled: ours, ± over seeds. Open: the paper, ± over cells." + part,
                    f'set xtics ({tics})\nset xrange [-0.5:2.5]\nset yrange [1:{top}]\nset xlabel "pseudo-shear rate [s^{{-1}}]"\n'
-                   'set ylabel "λ_C"\nset key outside right top', curves)
+                   'set ylabel "λ_C"\nset key left top Left reverse', curves)
     return claims

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/parallel.hpp"
@@ -129,12 +131,37 @@ TEST_P(EveryKernel, gives_the_same_bits_for_any_number_of_threads) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Delta, EveryKernel,
-                         testing::Values(Kernel{Cosine4{}, false, "cosine4"},
-                                         Kernel{Hat2{}, true, "hat2"},
-                                         Kernel{Roma3{}, true, "roma3"},
-                                         Kernel{Peskin4{}, true, "peskin4"}),
-                         [](const auto& kernel) { return kernel.param.name; });
+TEST_P(EveryKernel, blocks_of_nodes_on_the_ends_of_the_box_lie_on_sites_and_halo) {
+    // Whatever rounding makes of a position just outside: wrapped, −10⁻¹⁸ becomes the far end
+    // itself.
+    for (const Lattice& box : {Lattice{24, 12, true}, Lattice{24, 12, false}}) {
+        Suspension cells;
+        add_cell(cells, placed(circle(3.0, 40), 0.0, {12.0, 6.0}));
+        const double tiny = 1e-18, small = 1e-14;
+        const std::array<double, 8> shares{0.0, -tiny, tiny, small, -small, 1.0, 1.0 - 1e-16, 0.5};
+        for (int n = 0; n < cells.node_count(); ++n) {
+            cells.x[n] = box.nx * (shares[n % 8] + (n % 3 - 1));
+            const double y = shares[n / 5];
+            cells.y[n] = box.ny * (box.walls ? std::clamp(y, 0.0, 1.0) : y);
+        }
+        Stencils stencils(box, cells.node_count());
+        locate(GetParam().delta, box, cells, stencils);
+        constexpr int width = Stencils::width;
+        for (int n = 0; n < cells.node_count(); ++n) {
+            EXPECT_GE(stencils.i[n], -Lattice::halo);
+            EXPECT_LE(stencils.i[n] + width, box.nx + Lattice::halo);
+            EXPECT_GE(stencils.j[n], -Lattice::halo);
+            EXPECT_LE(stencils.j[n] + stencils.points, box.ny + Lattice::halo);
+            double along_x = 0.0, along_y = 0.0;
+            for (int k = 0; k < width; ++k) {
+                along_x += stencils.wx[width * n + k];
+                along_y += stencils.wy[width * n + k];
+            }
+            EXPECT_NEAR(along_x, 1.0, 1e-12) << cells.x[n];
+            EXPECT_NEAR(along_y, 1.0, 1e-12) << cells.y[n];
+        }
+    }
+}
 
 TEST(Cosine4, has_the_weights_of_its_formula) {
     for (double s = 0.0; s < 1.0; s += 0.01) {
@@ -160,7 +187,7 @@ TEST(FourPointKernels, do_not_see_the_staggered_mode) {
     }
 }
 
-TEST(Locate, marks_every_site_that_a_force_reaches) {
+TEST_P(EveryKernel, marks_every_site_that_a_force_reaches) {
     for (const Lattice& box :
          {Lattice{40, 14, true}, Lattice{40, 14, false}, Lattice{33, 14, false}}) {
         for (const double x : {-31.0, 0.5, 20.0, 37.5}) {
@@ -171,7 +198,7 @@ TEST(Locate, marks_every_site_that_a_force_reaches) {
             VectorField force(box);
             Periodic exchange;
             with_team(2, [&] {
-                locate(Peskin4{}, box, cells, stencils);
+                locate(GetParam().delta, box, cells, stencils);
                 spread(Order::zeroth, stencils, cells, force);
                 exchange.fold(force);
             });
@@ -188,7 +215,7 @@ TEST(Locate, marks_every_site_that_a_force_reaches) {
     }
 }
 
-TEST(Unspread, leaves_no_force_behind_across_periodic_ends) {
+TEST_P(EveryKernel, leaves_no_force_behind_across_periodic_ends) {
     for (const Lattice& box :
          {Lattice{20, 14, true}, Lattice{20, 14, false}, Lattice{17, 14, false}}) {
         Suspension cells;
@@ -197,7 +224,7 @@ TEST(Unspread, leaves_no_force_behind_across_periodic_ends) {
         for (int n = 0; n < cells.node_count(); ++n) cells.fx[n] = cells.fy[n] = 1.0;
         Stencils stencils(box, cells.node_count());
         VectorField force(box);
-        locate(Peskin4{}, box, cells, stencils);
+        locate(GetParam().delta, box, cells, stencils);
         spread(Order::zeroth, stencils, cells, force);
         // What Exchange::fold does with the halo.
         for (int j = -2; j < box.ny + 2; ++j) {
@@ -217,5 +244,12 @@ TEST(Unspread, leaves_no_force_behind_across_periodic_ends) {
         }
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Delta, EveryKernel,
+                         testing::Values(Kernel{Cosine4{}, false, "cosine4"},
+                                         Kernel{Hat2{}, true, "hat2"},
+                                         Kernel{Roma3{}, true, "roma3"},
+                                         Kernel{Peskin4{}, true, "peskin4"}),
+                         [](const auto& kernel) { return kernel.param.name; });
 
 }  // namespace
