@@ -169,7 +169,7 @@ State initial_state(const Case& c, const Model& model) {
     state.contact.smallest_gap = model.contact.range > 0.0 ? model.contact.range : std::nan("");
     const VectorField flow =
         c.flow.start == "rest" ? VectorField(model.lattice) : undisturbed_flow(model);
-    set_equilibrium(model.equilibrium, flow, state.populations);
+    set_equilibrium(model.equilibrium, flow, model.boundaries.pressure_drop, state.populations);
     derive(model, state);
     return state;
 }

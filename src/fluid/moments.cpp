@@ -16,15 +16,18 @@ Moments moments(const Populations& populations, int i, int j) {
 }
 
 void set_equilibrium(const Equilibrium& equilibrium, const VectorField& velocity,
-                     Populations& populations) {
+                     double pressure_drop, Populations& populations) {
     const Lattice& lattice = populations.lattice();
+    const double density_drop = pressure_drop / d2q9::sound_speed_squared;
+    const auto deviation = [&](int i) { return (0.5 - (i + 0.5) / lattice.nx) * density_drop; };
     populations.phase = Populations::Phase::even;
     std::visit(
         [&](auto kind) {
             for (int k = 0; k < d2q9::count; ++k) {
                 for (int j = 0; j < lattice.ny; ++j) {
                     for (int i = 0; i < lattice.nx; ++i) {
-                        populations.set_slot(k, i, j, population(kind, k, 0.0, velocity(i, j)));
+                        populations.set_slot(k, i, j,
+                                             population(kind, k, deviation(i), velocity(i, j)));
                     }
                 }
             }

@@ -18,9 +18,10 @@ struct Moments {
 /// (`settle` leaves it so).
 Moments moments(const Populations& populations, int i, int j);
 
-/// Sets every site to density 1 and the equilibrium of the given velocity (zero: at rest); phase
-/// even. Serial.
+/// Sets every site to the equilibrium of the given velocity (zero: at rest) and of a density that
+/// falls evenly along x by that of `pressure_drop`, 1 in the middle: with the drop between the ends
+/// all in one place a wave of pressure would run through the channel. Phase even. Serial.
 void set_equilibrium(const Equilibrium& equilibrium, const VectorField& velocity,
-                     Populations& populations);
+                     double pressure_drop, Populations& populations);
 
 }  // namespace tt

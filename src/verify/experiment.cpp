@@ -15,7 +15,7 @@ Experiment::Experiment(const Model& m, const Suspension& cells, const VectorFiel
     state.populations = Populations(model.lattice, model.precision);
     state.cells = cells;
     state.drive.body_force = model.drive.body_force;
-    set_equilibrium(model.equilibrium, velocity, state.populations);
+    set_equilibrium(model.equilibrium, velocity, model.boundaries.pressure_drop, state.populations);
     derive(model, state);
 }
 
