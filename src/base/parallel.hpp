@@ -26,7 +26,10 @@ public:
         const unsigned generation = generation_.load(std::memory_order_acquire);
         if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == size_) {
             arrived_.store(0, std::memory_order_relaxed);
-            generation_.store(generation + 1, std::memory_order_release);
+            // Sequentially consistent, not just released: notify_all of libstdc++ first looks
+            // whether anyone sleeps. Were the store still on its way then, a thread about to sleep
+            // could be missed, find the old generation, and sleep for ever.
+            generation_.store(generation + 1, std::memory_order_seq_cst);
             generation_.notify_all();
             return;
         }
