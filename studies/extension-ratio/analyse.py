@@ -63,8 +63,9 @@ def analyse(study):
             curves.append(Curve("" if k else "the paper (± over cells)",
                                 f"with yerrorbars linetype {k + 1} linewidth 0.6 pointtype 4 pointsize 0.7", [place + 0.07, paper, paper_sd]))
     tics = ", ".join(f'"{rate}" {k}' for k, rate in enumerate(RATES))
-    for name, top, part in [("extension-ratio", "*", ""), ("extension-ratio-hardened", "1.3", " The same, without Case I at 500 /s.")]:
+    for name, top, side, part in [("extension-ratio", "*", "left top Left reverse", ""),
+                                  ("extension-ratio-hardened", "1.3", "right top", " The same, without Case I at 500 /s.")]:
         study.draw(name, "Extension ratio λ_C, mean over twelve cells and the later five transits. Filled: ours, ± over seeds. Open: the paper, ± over cells." + part,
                    f'set xtics ({tics})\nset xrange [-0.5:2.5]\nset yrange [1:{top}]\nset xlabel "pseudo-shear rate [s^{{-1}}]"\n'
-                   'set ylabel "λ_C"\nset key left top Left reverse', curves)
+                   f'set ylabel "λ_C"\nset key {side}', curves)
     return claims
