@@ -39,7 +39,7 @@ TT_INLINE Load load_of(const Nodes& m, int before, int k, int next) {
 TT_INLINE void set_dipole(const JumpCorrection& jump, const Nodes& m, int before, int k, int next) {
     const Load load = load_of(m, before, k, next);
     const double slip = load.tangential * jump.fluidity_jump * jump.spread.slip(load.tx, load.ty);
-    const double dipole = -slip * jump.mean_viscosity * load.arc;
+    const double dipole = -slip * jump.mean_viscosity() * load.arc;
     m.dipole_xx[k] = 2.0 * dipole * load.tx * load.ty;
     m.dipole_xy[k] = dipole * (load.ty * load.ty - load.tx * load.tx);
 }
@@ -55,10 +55,10 @@ TT_INLINE void correct_velocity(const JumpCorrection& jump, const Nodes& m, int 
     const double length = jump.spread.slip(tx, ty);  // c_φ
     const double rate = 2.0 * tx * ty * m.rate_xx[k] + (ty * ty - tx * tx) * m.rate_xy[k];
     const double rate_share = jump.spread.share + jump.spread.square * length;
-    const double mean_stress = (rate - rate_share * product) * jump.mean_viscosity;
+    const double mean_stress = (rate - rate_share * product) * jump.mean_viscosity();
     const double error = jump.spread.force * stress_jump * jump.mean_fluidity +
                          length * jump.fluidity_jump *
-                             (mean_stress - jump.spread.share * product * jump.mean_viscosity);
+                             (mean_stress - jump.spread.share * product * jump.mean_viscosity());
     m.ux[k] -= error * tx;
     m.uy[k] -= error * ty;
 }
@@ -83,8 +83,7 @@ TT_CLONES void correct_between(const JumpCorrection& jump, const Nodes& nodes, i
 JumpCorrection jump_correction(const Delta& delta, const ViscosityModel& viscosity) {
     const double outside = 1.0 / viscosity.plasma, inside = 1.0 / viscosity.cytoplasm;
     const KernelSpread spread = std::visit([](const auto& kernel) { return kernel.spread; }, delta);
-    const double mean = 0.5 * (outside + inside);
-    return {true, mean, 1.0 / mean, outside - inside, spread};
+    return {true, 0.5 * (outside + inside), outside - inside, spread};
 }
 
 void set_dipoles(const JumpCorrection& jump, Suspension& cells) {

@@ -45,10 +45,11 @@ struct ContactPair {
 struct ContactHits {
     int count = 0;
     std::vector<std::int32_t> node, other;
-    std::vector<std::int32_t> from, to, before;  ///< nodes of the partner's segment, and the last
-    std::vector<double> along;                   ///< place on it
-    std::vector<double> x, y;                    ///< the node, beside the partner
-    std::vector<double> gap;                     ///< negative where the node is inside the partner
+    std::vector<std::int32_t> from, to;  ///< nodes of the partner's segment
+    std::vector<std::int32_t> before;    ///< the node before `from`
+    std::vector<double> along;           ///< place on it
+    std::vector<double> x, y;            ///< the node, its image beside the partner
+    std::vector<double> gap;             ///< negative where the node is inside the partner
     std::vector<double> area_x, area_y;  ///< half the node's arc length, directed away from the
                                          ///< partner: times the pressure it is the force
     std::vector<double> pressure;

@@ -5,6 +5,7 @@
 
 #include "base/isa.hpp"
 #include "base/lesser.hpp"
+#include "grid/lattice.hpp"
 
 namespace tt {
 namespace {
@@ -28,24 +29,27 @@ TT_INLINE double distance2_to(double px, double py, double x0, double y0, double
     return dx * dx + dy * dy;
 }
 
-TT_INLINE void measure_window(const double* x, const double* y, Vec2 point, double segments_count,
+/// The nodes of `window` segments from `first` on, past the end of the outline from its start.
+struct WindowNodes {
+    double x[window + 1], y[window + 1];
+
+    WindowNodes(const Outline& outline, int first) {
+        const int size = outline.size();
+        for (int k = 0, node = first; k <= window; ++k, ++node) {
+            if (node >= size) node -= size;
+            x[k] = outline.x[node];
+            y[k] = outline.y[node];
+        }
+    }
+};
+
+/// Squared distance of a point to each of the window's segments, and where on it.
+TT_CLONES void measure_window(const WindowNodes& nodes, Vec2 point, double segments_count,
                               double* distance2, double* along) {
 #pragma omp simd
     for (int k = 0; k < window; ++k)
-        distance2[k] = distance2_to(point.x, point.y, x[k], y[k], x[k + 1], y[k + 1],
-                                    segments_count, along[k]);
-}
-
-TT_CLONES NearestPoint nearest_of(const double* x, const double* y, Vec2 point,
-                                  double segments_count) {
-    double distance2[window];
-    double along[window];
-    measure_window(x, y, point, segments_count, distance2, along);
-    double smallest = distance2[0];
-    for (int k = 1; k < window; ++k) smallest = lesser(smallest, distance2[k]);
-    int at = 0;
-    for (int k = window - 1; k >= 0; --k) at = distance2[k] == smallest ? k : at;
-    return {smallest, at, along[at]};
+        distance2[k] = distance2_to(point.x, point.y, nodes.x[k], nodes.y[k], nodes.x[k + 1],
+                                    nodes.y[k + 1], segments_count, along[k]);
 }
 
 /// Is `a` nearer, or as near and before `b`?
@@ -64,69 +68,32 @@ TT_CLONES void lower_bounds(const SegmentBoxes& boxes, Vec2 point, double slack,
     }
 }
 
-/// The nodes of `window` segments from `first` on, past the end of the outline from its start.
-struct WindowNodes {
-    double x[window + 1], y[window + 1];
-
-    WindowNodes(const Outline& outline, int first) {
-        const int size = outline.size();
-        for (int k = 0, node = first; k <= window; ++k, ++node) {
-            if (node >= size) node -= size;
-            x[k] = outline.x[node];
-            y[k] = outline.y[node];
-        }
-    }
-};
-
-/// The same for a window that reaches past the end of the outline.
-NearestPoint nearest_across_start(const Outline& outline, Vec2 point, int first,
-                                  double segments_count) {
-    const int size = outline.size();
-    const WindowNodes nodes(outline, first);
-    double distance2[window], along[window];
-    measure_window(nodes.x, nodes.y, point, segments_count, distance2, along);
-    NearestPoint best{distance2[0], first % size, along[0]};
-    for (int k = 1; k < window; ++k) {
-        const NearestPoint found{distance2[k], (first + k) % size, along[k]};
-        if (before(found, best)) best = found;
-    }
-    return best;
-}
-
 /// First segment of the window with segment `at` in its middle.
 int window_around(const NearestPoint& at, int size) {
     const int first = at.segment - (at.along < 0.5 ? window / 2 : window / 2 - 1);
     return first < 0 ? first + size : first;
 }
 
-/// Smallest squared distance of those segments of one box that are not in the window.
-TT_CLONES double nearest_outside2(const double* x, const double* y, Vec2 point,
-                                  double segments_count, int box_offset, int size) {
-    double distance2[window], along[window];
-    measure_window(x, y, point, segments_count, distance2, along);
-    double smallest = HUGE_VAL;
-    for (int k = 0; k < window; ++k) {
-        const int offset = box_offset + k >= size ? box_offset + k - size : box_offset + k;
-        smallest = lesser(smallest, offset < window ? HUGE_VAL : distance2[k]);
-    }
-    return smallest;
-}
-
+/// Smallest distance of those segments of one box that are not in the window.
 double nearest_outside(const Outline& outline, Vec2 point, Nearest nearest, int box,
                        int window_first) {
     const int size = outline.size();
     const int first = box * window;
-    const double segments_count = factor_of(nearest);
-    const int offset = first - window_first + (first < window_first ? size : 0);
-    if (first + window < size)
-        return std::sqrt(nearest_outside2(outline.x.data() + first, outline.y.data() + first, point,
-                                          segments_count, offset, size));
-    const WindowNodes nodes(outline, first);
-    return std::sqrt(nearest_outside2(nodes.x, nodes.y, point, segments_count, offset, size));
+    double distance2[window], along[window];
+    measure_window({outline, first}, point, factor_of(nearest), distance2, along);
+    double smallest = HUGE_VAL;
+    for (int k = 0; k < window; ++k) {
+        const int offset = wrapped(first + k - window_first, size);
+        if (offset >= window) smallest = std::min(smallest, distance2[k]);
+    }
+    return std::sqrt(smallest);
 }
 
-TT_CLONES void look_through_windows(const double* x, const double* y, double segments_count,
-                                    int count, WindowBatch& batch) {
+}  // namespace
+
+TT_CLONES void nearest_in_windows(const double* x, const double* y, Nearest nearest, int count,
+                                  WindowBatch& batch) {
+    const double segments_count = factor_of(nearest);
     double x0[WindowBatch::size], y0[WindowBatch::size];
     double segment[WindowBatch::size];
     std::int32_t node[WindowBatch::size];
@@ -161,23 +128,15 @@ TT_CLONES void look_through_windows(const double* x, const double* y, double seg
     for (int p = 0; p < count; ++p) batch.segment[p] = static_cast<std::int32_t>(segment[p]);
 }
 
-}  // namespace
-
-void nearest_in_windows(const double* x, const double* y, Nearest nearest, int count,
-                        WindowBatch& batch) {
-    look_through_windows(x, y, factor_of(nearest), count, batch);
-}
-
 NearestPoint nearest_in_window(const Outline& outline, Vec2 point, int first, Nearest nearest) {
-    const int size = outline.size();
-    const double segments_count = factor_of(nearest);
-    if (first + window < size) {
-        NearestPoint found =
-            nearest_of(outline.x.data() + first, outline.y.data() + first, point, segments_count);
-        found.segment += first;
-        return found;
+    double distance2[window], along[window];
+    measure_window({outline, first}, point, factor_of(nearest), distance2, along);
+    NearestPoint best{distance2[0], first, along[0]};
+    for (int k = 1; k < window; ++k) {
+        const NearestPoint found{distance2[k], wrapped(first + k, outline.size()), along[k]};
+        if (before(found, best)) best = found;
     }
-    return nearest_across_start(outline, point, first, segments_count);
+    return best;
 }
 
 void set_boxes(const Outline& outline, SegmentBoxes& boxes) {

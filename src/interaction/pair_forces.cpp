@@ -9,6 +9,14 @@
 namespace tt {
 namespace {
 
+/// Half the arc length that belongs to a node of the cell [first, last]: each of the two membranes
+/// contributes half of the pressure.
+TT_INLINE double share_of(const double* x, const double* y, int first, int last, int node) {
+    const Vec2 here{x[node], y[node]};
+    const int before = node > first ? node - 1 : last, after = node < last ? node + 1 : first;
+    return 0.25 * (norm(here - Vec2{x[before], y[before]}) + norm(Vec2{x[after], y[after]} - here));
+}
+
 /// Gap, with its sign, and directed area of the hits of one cell, whose nodes are [first, last].
 TT_CLONES void measure_hits(const double* x, const double* y, int first, int last,
                             ContactHits& hits) {
@@ -16,11 +24,6 @@ TT_CLONES void measure_hits(const double* x, const double* y, int first, int las
     const int count = hits.count;
 #pragma omp simd
     for (int k = 0; k < count; ++k) {
-        const int node = hits.node[k];
-        const Vec2 here = at(node);
-        const double arc = norm(here - at(node > first ? node - 1 : last)) +
-                           norm(at(node < last ? node + 1 : first) - here);
-
         const Vec2 from = at(hits.from[k]);
         const Vec2 edge = at(hits.to[k]) - from;
         const Vec2 back = from - at(hits.before[k]);
@@ -34,7 +37,7 @@ TT_CLONES void measure_hits(const double* x, const double* y, int first, int las
         // On the membrane itself the line between the two points has no direction; its normal has.
         const bool on = !(distance > 0.0);
         const Vec2 away{on ? outward.x : side * apart.x, on ? outward.y : side * apart.y};
-        const double share = 0.25 * arc / norm(away);
+        const double share = share_of(x, y, first, last, hits.node[k]) / norm(away);
         hits.gap[k] = side * distance;
         hits.area_x[k] = share * away.x;
         hits.area_y[k] = share * away.y;
@@ -90,28 +93,19 @@ void add_hits(Suspension& cells, const ContactState& contact, int begin, int end
     }
 }
 
-/// Half the arc length that belongs to a node: each of the two membranes contributes half of the
-/// pressure.
-double share_of(const Suspension& cells, int cell, int node) {
-    const int first = cells.first[cell], last = cells.first[cell + 1] - 1;
-    const Vec2 here = cells.position(node);
-    const Vec2 before = cells.position(node > first ? node - 1 : last);
-    const Vec2 after = cells.position(node < last ? node + 1 : first);
-    return 0.25 * (norm(here - before) + norm(after - here));
-}
-
 /// Short-range repulsion of the walls at y = 0 and y = ny from the nodes of one cell; returns how
 /// many felt it.
 std::int64_t repel_from_walls(const ContactModel& model, const Lattice& lattice, Suspension& cells,
                               int cell) {
     const ShortRangeRepulsion repulsion{model.repulsion_range, model.repulsion_strength};
+    const int first = cells.first[cell], last = cells.first[cell + 1] - 1;
     std::int64_t count = 0;
-    for (int k = cells.first[cell]; k < cells.first[cell + 1]; ++k) {
+    for (int k = first; k <= last; ++k) {
         const double below = cells.y[k];
         const double above = lattice.ny - cells.y[k];
         if (below >= repulsion.range && above >= repulsion.range) continue;
         const double pressure = repulsion.pressure(below) - repulsion.pressure(above);
-        cells.fy[k] += pressure * 2.0 * share_of(cells, cell, k);
+        cells.fy[k] += pressure * 2.0 * share_of(cells.x.data(), cells.y.data(), first, last, k);
         ++count;
     }
     return count;
