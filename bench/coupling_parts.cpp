@@ -89,7 +89,10 @@ void update_viscosity_with(benchmark::State& state, InterfaceViscosity interface
     InteriorState interior;
     Relaxation relaxation(scene.lattice);
     rebuild_viscosity(model, scene.cells, interior, relaxation);
-    run(state, scene, [&] { update_viscosity(model, scene.cells, interior, relaxation); });
+    run(state, scene, [&] {
+        lay_cytoplasm(model, scene.cells, interior);
+        update_viscosity(model, interior, relaxation);
+    });
 }
 
 void pair_forces(benchmark::State& state) {

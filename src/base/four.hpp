@@ -19,16 +19,24 @@ TT_INLINE Four load_four(const double* p) {
 
 TT_INLINE void store_four(double* p, const Four& v) { std::memcpy(p, &v, sizeof v); }
 
-/// (v₀ + v₁) + (v₂ + v₃) of each of four: fewer steps than four sums of their own.
-TT_INLINE Four sums_of(const Four& a, const Four& b, const Four& c, const Four& d) {
-    const Four ab_first = __builtin_shufflevector(a, b, 0, 4, 2, 6);   // a₀ b₀ a₂ b₂
-    const Four ab_second = __builtin_shufflevector(a, b, 1, 5, 3, 7);  // a₁ b₁ a₃ b₃
-    const Four cd_first = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    const Four cd_second = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    const Four ab = ab_first + ab_second;  // a₀₁ b₀₁ a₂₃ b₂₃
-    const Four cd = cd_first + cd_second;
-    return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) +
-           __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+/// Two of them: one AVX-512 register, or two or four smaller ones.
+using Eight = double __attribute__((vector_size(64)));
+
+TT_INLINE Eight both(const Four& low, const Four& high) {
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+TT_INLINE Eight swapped(const Eight& v) {
+    return __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3);
+}
+
+/// (v₀ + v₁) + (v₂ + v₃) of the halves a, b of ab and c, d of cd, as (a, c, b, d): fewer steps than
+/// four sums of their own.
+TT_INLINE Four sums_of(const Eight& ab, const Eight& cd) {
+    const Eight pairs =  // a₀₁ c₀₁ a₂₃ c₂₃ b₀₁ d₀₁ b₂₃ d₂₃
+        __builtin_shufflevector(ab, cd, 0, 8, 2, 10, 4, 12, 6, 14) +
+        __builtin_shufflevector(ab, cd, 1, 9, 3, 11, 5, 13, 7, 15);
+    return __builtin_shufflevector(pairs, pairs, 0, 1, 4, 5) +
+           __builtin_shufflevector(pairs, pairs, 2, 3, 6, 7);
 }
 
 }  // namespace tt

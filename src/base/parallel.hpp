@@ -8,17 +8,19 @@
 
 namespace tt {
 
-/// Passes of a step are *team functions*: every thread of one team calls them together, each works
-/// on its own contiguous share, and a barrier ends them. Called outside a team they run on one
-/// thread and give the same bits: no sum crosses the border of a share.
+/// Passes of a step are *team functions*: every thread of one team calls them together and each
+/// works on its own contiguous share, of cells or of rows of sites. A pass that needs what others
+/// have made waits for it first (`team_barrier`); none waits at its end, unless it says so. Called
+/// outside a team they run on one thread and give the same bits: no sum crosses the border of a
+/// share.
 class Team {
 public:
     explicit Team(int size) : size_(size) {}
 
     int size() const { return size_; }
 
-    /// Waits for all. A step has some twenty of these and takes a few tenths of a millisecond, so
-    /// it spins; but where the machine is busy with other work it soon goes to sleep, or a thread
+    /// Waits for all. A step has seven of these and takes a few tenths of a millisecond, so it
+    /// spins; but where the machine is busy with other work it soon goes to sleep, or a thread
     /// that waits would keep the one it waits for from running. (To yield instead is not enough:
     /// the scheduler may give the time to the other work, a slice of milliseconds at every
     /// barrier.)

@@ -4,7 +4,6 @@
 #include <variant>
 
 #include "base/isa.hpp"
-#include "base/parallel.hpp"
 
 namespace tt {
 namespace {
@@ -88,28 +87,23 @@ JumpCorrection jump_correction(const Delta& delta, const ViscosityModel& viscosi
 
 void set_dipoles(const JumpCorrection& jump, Suspension& cells) {
     if (!jump.has_dipole()) return;
-    const auto [first, last] = team_share(cells.cell_count());
     const Nodes m = nodes_of(cells);
-    for (int c = first; c < last; ++c) {
+    const auto [begin, end] = own_cells(cells);
+    for (int c = begin; c < end; ++c) {
         const int head = cells.first[c], tail = cells.first[c + 1] - 1;
         set_dipoles_between(jump, m, head + 1, tail);
         set_dipole(jump, m, tail, head, head + 1);
         set_dipole(jump, m, tail - 1, tail, head);
     }
-    team_barrier();
 }
 
-void correct_velocities(const JumpCorrection& jump, Suspension& cells) {
+void correct_velocities(const JumpCorrection& jump, Suspension& cells, int cell) {
     if (!jump.active) return;
-    const auto [first, last] = team_share(cells.cell_count());
     const Nodes m = nodes_of(cells);
-    for (int c = first; c < last; ++c) {
-        const int head = cells.first[c], tail = cells.first[c + 1] - 1;
-        correct_between(jump, m, head + 1, tail);
-        correct_velocity(jump, m, tail, head, head + 1);
-        correct_velocity(jump, m, tail - 1, tail, head);
-    }
-    team_barrier();
+    const int head = cells.first[cell], tail = cells.first[cell + 1] - 1;
+    correct_between(jump, m, head + 1, tail);
+    correct_velocity(jump, m, tail, head, head + 1);
+    correct_velocity(jump, m, tail - 1, tail, head);
 }
 
 }  // namespace tt

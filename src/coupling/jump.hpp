@@ -30,10 +30,10 @@ struct JumpCorrection {
 
 JumpCorrection jump_correction(const Delta& delta, const ViscosityModel& viscosity);
 
-/// (i): sets the nodes' dipoles from their forces. Team function.
+/// (i): sets the nodes' dipoles from their forces. Team function, by cells.
 void set_dipoles(const JumpCorrection& jump, Suspension& cells);
 
-/// (ii): corrects the interpolated node velocities. Team function.
-void correct_velocities(const JumpCorrection& jump, Suspension& cells);
+/// (ii): corrects the interpolated node velocities of one cell.
+void correct_velocities(const JumpCorrection& jump, Suspension& cells, int cell);
 
 }  // namespace tt

@@ -121,57 +121,12 @@ void slope_one_sided(double y, int start, const double* w, double* slopes) {
     }
 }
 
-/// Rows in which the nodes' blocks may start: −2 … ny − 2.
-constexpr int lowest_start = -2;
-int start_rows(const Lattice& lattice) { return lattice.ny + 1; }
-
-/// Marks, for each row in which blocks start, the columns they cover, through the ends of the
-/// box if they must: then the last and the first block of sites are marked as well.
-void mark_starts(const Lattice& lattice, Stencils& stencils) {
-    const auto [begin, end] = team_share(start_rows(lattice));
-    if (begin == end) return;
-    SiteBlocks& starts = stencils.starts;
-    std::fill(starts.row(begin), starts.row(end), std::uint8_t{0});
-    constexpr unsigned sites = SiteBlocks::width;
-    const int count = static_cast<int>(stencils.i.size());
-    for (int n = 0; n < count; ++n) {
-        const int row = stencils.j[n] - lowest_start;
-        if (row < begin || row >= end) continue;
-        const int i = stencils.i[n], last = i + stencils.points - 1;
-        const bool inside = i >= 0 && last < lattice.nx;
-        std::uint8_t* const marks = starts.row(row);
-        marks[inside ? i / sites : 0] = 1;
-        marks[inside ? last / sites : starts.per_row() - 1] = 1;
-        if (!inside) marks[(i < 0 ? i + lattice.nx : i) / sites] = 1;
-    }
-}
-
-/// A row of sites is near membranes where a block starts in it or fewer than `points` rows below.
-TT_CLONES void mark_near_membranes(const Lattice& lattice, Stencils& stencils) {
-    const auto [begin, end] = team_share(lattice.ny);
-    const int pitch = stencils.starts.pitch();
-    for (int j = begin; j < end; ++j) {
-        std::uint8_t* const __restrict marks = stencils.near_membranes.row(j);
-        std::fill_n(marks, pitch, std::uint8_t{0});
-        for (const int image : {j, j - lattice.ny, j + lattice.ny}) {
-            if (image != j && lattice.walls) continue;
-            for (int start = image - stencils.points + 1; start <= image; ++start) {
-                const int row = start - lowest_start;
-                if (row < 0 || row >= start_rows(lattice)) continue;
-                const std::uint8_t* const starts = stencils.starts.row(row);
-                for (int b = 0; b < pitch; b += 64)
-                    for (int k = b; k < b + 64; ++k) marks[k] |= starts[k];
-            }
-        }
-    }
-}
-
 }  // namespace
 
 void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
             Stencils& stencils) {
     TT_EXPECTS(static_cast<int>(stencils.i.size()) == cells.node_count());
-    const auto [begin, end] = team_share(cells.node_count());
+    const auto [begin, end] = own_nodes(cells);
     const Weigh weigh_axis = std::visit(WeighOf{}, delta);
     const int points = std::visit([](const auto& kernel) { return kernel.points; }, delta);
     if (team_rank() == 0) stencils.points = points;
@@ -190,11 +145,6 @@ void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
             slope_one_sided(cells.y[n], j, &stencils.wy[width * n], &stencils.sy[width * n]);
         }
     }
-    team_barrier();
-    mark_starts(lattice, stencils);
-    team_barrier();
-    mark_near_membranes(lattice, stencils);
-    team_barrier();
 }
 
 }  // namespace tt

@@ -1,6 +1,8 @@
 #include "coupling/stencil.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 #include "base/four.hpp"
 #include "base/isa.hpp"
@@ -23,13 +25,67 @@ struct Rows {
     std::ptrdiff_t pitch;
 };
 
-Rows own_rows(VectorField& field) {
+Rows rows_of(VectorField& field) {
     const Lattice& lattice = field.x.lattice();
-    auto [begin, end] = team_share(lattice.ny);
-    // The halo rows go with the outermost shares.
-    if (begin == 0) begin -= Lattice::halo;
-    if (end == lattice.ny) end += Lattice::halo;
+    const auto [begin, end] = own_rows_with_halo(lattice);
     return {begin, end, field.x.row(0), field.y.row(0), lattice.pitch()};
+}
+
+/// The marks of this thread's rows [begin, end) and of those below whose blocks may reach them.
+struct Marks {
+    SiteBlocks& near;
+    std::uint8_t* below;
+    int begin, end;
+    int reach;  ///< rows that a block goes beyond the one in which it starts
+
+    TT_INLINE std::uint8_t* row(int j) const {
+        return j >= begin ? near.row(j) : below + (j - begin + reach) * near.pitch();
+    }
+};
+
+/// Marks, in the row in which a block starts, the columns it covers, through the ends of the box if
+/// it must: then the last and the first block of sites are marked as well.
+void mark_starts(const Lattice& lattice, const Stencils& stencils, const Marks& marks) {
+    constexpr unsigned sites = SiteBlocks::width;
+    const int count = static_cast<int>(stencils.i.size());
+    for (const int shift : {0, -lattice.ny, lattice.ny}) {
+        if (shift != 0 && lattice.walls) break;
+        for (int n = 0; n < count; ++n) {
+            const int j = stencils.j[n] + shift;
+            if (j < marks.begin - marks.reach || j >= marks.end) continue;
+            const int i = stencils.i[n], last = i + stencils.points - 1;
+            const bool inside = i >= 0 && last < lattice.nx;
+            std::uint8_t* const row = marks.row(j);
+            row[inside ? i / sites : 0] = 1;
+            row[inside ? last / sites : marks.near.per_row() - 1] = 1;
+            if (!inside) row[(i < 0 ? i + lattice.nx : i) / sites] = 1;
+        }
+    }
+}
+
+/// From the top down, adds to each row the marks of those below from which blocks reach it.
+TT_CLONES void extend_upwards(const Marks& marks) {
+    const int pitch = marks.near.pitch();
+    for (int j = marks.end - 1; j >= marks.begin; --j) {
+        std::uint8_t* const __restrict row = marks.row(j);
+        for (int below = 1; below <= marks.reach; ++below) {
+            const std::uint8_t* const starts = marks.row(j - below);
+            for (int b = 0; b < pitch; b += 64)
+                for (int k = b; k < b + 64; ++k) row[k] |= starts[k];
+        }
+    }
+}
+
+void mark_near_membranes(const Lattice& lattice, Stencils& stencils) {
+    thread_local std::vector<std::uint8_t> below;
+    SiteBlocks& near = stencils.near_membranes;
+    const auto [begin, end] = own_rows(lattice);
+    const int reach = stencils.points - 1;
+    below.assign(static_cast<std::size_t>(reach * near.pitch()), 0);
+    std::fill(near.row(begin), near.row(end), std::uint8_t{0});
+    const Marks marks{near, below.data(), begin, end, reach};
+    mark_starts(lattice, stencils, marks);
+    extend_upwards(marks);
 }
 
 /// A node's force and dipole: on a site of weights w and slopes s the force is F wₓ wᵧ + D·(sₓ wᵧ,
@@ -41,6 +97,7 @@ TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, c
         const int j0 = stencils.j[n];
         const int first = std::max(rows.begin - j0, 0);
         const int last = std::min(rows.end - j0, stencils.points);
+        if (first >= last) continue;
         const Four wx = load_four(&stencils.wx[width * n]);
         const Four sx = load_four(&stencils.sx[width * n]);
         const double* const wy = &stencils.wy[width * n];
@@ -89,34 +146,30 @@ TT_INLINE void interpolate_nodes(const Stencils& stencils, const VectorField& ve
         }
     };
     for (int n = begin; n < end; ++n) {
-        fetch(std::min(n + ahead, end - 1));
+        fetch(std::min(n + ahead, cells.node_count() - 1));
         const double* const wy = &stencils.wy[width * n];
         const double* const sy = &stencils.sy[width * n];
         const std::ptrdiff_t corner = stencils.j[n] * pitch + stencils.i[n];
-        // Sums along y for each column of the block: values and, for the shear rate, slopes.
-        Four ux{}, uy{}, slope_x{}, slope_y{};
+        // Sums along y for each column of the block, of u_x and u_y side by side: values and, for
+        // the shear rate, slopes.
+        Eight values{}, slopes{};
         for (int l = 0; l < stencils.points; ++l) {
-            const Four row_x = load_four(x + corner + l * pitch);
-            const Four row_y = load_four(y + corner + l * pitch);
-            ux += wy[l] * row_x;
-            uy += wy[l] * row_y;
-            if constexpr (order == Order::first) {
-                slope_x += sy[l] * row_x;
-                slope_y += sy[l] * row_y;
-            }
+            const Eight row =
+                both(load_four(x + corner + l * pitch), load_four(y + corner + l * pitch));
+            values += wy[l] * row;
+            if constexpr (order == Order::first) slopes += sy[l] * row;
         }
         const Four wx = load_four(&stencils.wx[width * n]);
-        Four xx{}, xy{};
+        Eight rates{};  // ∂ₓuₓ − ∂ᵧuᵧ and ∂ₓuᵧ + ∂ᵧuₓ
         if constexpr (order == Order::first) {
             const Four sx = load_four(&stencils.sx[width * n]);
-            xx = ux * sx - slope_y * wx;
-            xy = slope_x * wx + uy * sx;
+            rates = values * both(sx, sx) + swapped(slopes) * both(-wx, wx);
         }
-        const Four sums = sums_of(ux * wx, uy * wx, xx, xy);
+        const Four sums = sums_of(values * both(wx, wx), rates);
         cells.ux[n] = sums[0];
-        cells.uy[n] = sums[1];
+        cells.uy[n] = sums[2];
         if constexpr (order == Order::first) {
-            cells.rate_xx[n] = sums[2];
+            cells.rate_xx[n] = sums[1];
             cells.rate_xy[n] = sums[3];
         }
     }
@@ -140,13 +193,14 @@ TT_CLONES void interpolate_rate(const Stencils& w, const VectorField& u, Suspens
 
 }  // namespace
 
-void spread(Order order, const Stencils& stencils, const Suspension& cells, VectorField& force) {
-    (order == Order::zeroth ? spread_forces : spread_dipoles)(stencils, cells, own_rows(force));
+void spread(Order order, Stencils& stencils, const Suspension& cells, VectorField& force) {
     team_barrier();
+    mark_near_membranes(force.x.lattice(), stencils);
+    (order == Order::zeroth ? spread_forces : spread_dipoles)(stencils, cells, rows_of(force));
 }
 
 void unspread(const Stencils& stencils, VectorField& force) {
-    const Rows rows = own_rows(force);
+    const Rows rows = rows_of(force);
     const Lattice& lattice = force.x.lattice();
     const SiteBlocks& near = stencils.near_membranes;
     for (int j = rows.begin; j < rows.end; ++j) {
@@ -159,15 +213,12 @@ void unspread(const Stencils& stencils, VectorField& force) {
             std::fill(y - Lattice::halo, y + lattice.nx + Lattice::halo, 0.0);
         }
     }
-    team_barrier();
 }
 
 void interpolate(Order order, const Stencils& stencils, const VectorField& velocity,
-                 Suspension& cells) {
-    const auto [begin, end] = team_share(cells.node_count());
-    (order == Order::zeroth ? interpolate_velocity : interpolate_rate)(stencils, velocity, cells,
-                                                                       begin, end);
-    team_barrier();
+                 Suspension& cells, int cell) {
+    (order == Order::zeroth ? interpolate_velocity : interpolate_rate)(
+        stencils, velocity, cells, cells.first[cell], cells.first[cell + 1]);
 }
 
 }  // namespace tt

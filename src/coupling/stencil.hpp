@@ -20,8 +20,8 @@ struct Stencils {
     std::vector<std::int32_t> i, j;  ///< per node: lower left site of the block
     std::vector<double> wx, wy;      ///< per node: `width` weights along each axis
     std::vector<double> sx, sy;      ///< per node: their derivatives by the node's position
-    SiteBlocks near_membranes;       ///< marks all sites of all blocks, where they stand in the box
-    SiteBlocks starts;               ///< work space of `locate`
+    SiteBlocks near_membranes;  ///< marks all sites of the blocks spread last, where they stand in
+                                ///< the box
 
     Stencils() = default;
     Stencils(const Lattice& lattice, int node_count)
@@ -31,13 +31,12 @@ struct Stencils {
           wy(width * node_count),
           sx(width * node_count),
           sy(width * node_count),
-          near_membranes(lattice),
-          starts(Lattice{lattice.nx, lattice.ny + 1}) {}
+          near_membranes(lattice) {}
 };
 
 /// Weights of every node. Near a wall, where the block sticks out of the fluid, the y weights are
 /// made one-sided so that force, torque and linear velocity profiles are still exact
-/// (docs/theory/coupling.md). Team function.
+/// (docs/theory/coupling.md). Team function, by cells.
 void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
             Stencils& stencils);
 
@@ -47,16 +46,17 @@ void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
 enum class Order : std::uint8_t { zeroth, first };
 
 /// Eqs. 8, 9: adds the node forces (and dipoles) to the force field, halo included (then
-/// Exchange::fold). Owner of rows: every thread adds, in node order, what falls on its own rows, so
-/// the bits do not depend on the number of threads. Team function.
-void spread(Order order, const Stencils& stencils, const Suspension& cells, VectorField& force);
+/// Exchange::fold), and marks the sites near membranes. Owner of rows: every thread adds, in node
+/// order, what falls on its own rows, so the bits do not depend on the number of threads. Team
+/// function, by rows; waits for stencils and forces.
+void spread(Order order, Stencils& stencils, const Suspension& cells, VectorField& force);
 
-/// Zeroes the blocks of sites near membranes, as located last, and the halo: whatever a step left
-/// there. Team function.
+/// Zeroes the blocks of sites near membranes, as marked last, and the halo: whatever a step left
+/// there. Team function, by rows.
 void unspread(const Stencils& stencils, VectorField& force);
 
-/// Eq. 7: node velocities (and shear rates) from the velocity field (halo filled). Team function.
+/// Eq. 7: velocities (and shear rates) of one cell's nodes from the velocity field (halo filled).
 void interpolate(Order order, const Stencils& stencils, const VectorField& velocity,
-                 Suspension& cells);
+                 Suspension& cells, int cell);
 
 }  // namespace tt

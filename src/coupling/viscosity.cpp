@@ -7,7 +7,6 @@
 #include "base/contracts.hpp"
 #include "base/isa.hpp"
 #include "base/lesser.hpp"
-#include "base/parallel.hpp"
 #include "coupling/site_viscosity.hpp"
 
 namespace tt {
@@ -108,18 +107,18 @@ void restore_viscosity(const ViscosityModel& model, const Suspension& cells,
     }
 }
 
-void update_viscosity(const ViscosityModel& model, const Suspension& cells, InteriorState& interior,
-                      Relaxation& relaxation) {
+void lay_cytoplasm(const ViscosityModel& model, const Suspension& cells, InteriorState& interior) {
     TT_EXPECTS(static_cast<int>(interior.patches.size()) == cells.cell_count());
-    const auto [first_cell, last_cell] = team_share(cells.cell_count());
-    for (int cell = first_cell; cell < last_cell; ++cell)
-        refresh_cell(model, cells, interior, cell);
-    team_barrier();
-    const auto rows = team_share(interior.fraction.lattice().ny);
+    const auto [begin, end] = own_cells(cells);
+    for (int cell = begin; cell < end; ++cell) refresh_cell(model, cells, interior, cell);
+}
+
+void update_viscosity(const ViscosityModel& model, InteriorState& interior,
+                      Relaxation& relaxation) {
+    const auto rows = own_rows(interior.fraction.lattice());
     for (const CellPatch& patch : interior.patches)
         if (patch.refreshed)
             change_patch(model, patch.now, patch.before, rows, interior.fraction, relaxation);
-    team_barrier();
 }
 
 }  // namespace tt

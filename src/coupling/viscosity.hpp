@@ -65,10 +65,13 @@ void rebuild_viscosity(const ViscosityModel& model, const Suspension& cells,
 void restore_viscosity(const ViscosityModel& model, const Suspension& cells,
                        InteriorState& interior, Relaxation& relaxation);
 
-/// Brings both up to date after the membranes moved: lays anew the cells of which a node has moved
-/// by more than refresh_distance since they were last laid, and touches only sites whose fraction
-/// changed. Gives the same bits as `restore_viscosity` from the same kept positions. Team function.
-void update_viscosity(const ViscosityModel& model, const Suspension& cells, InteriorState& interior,
-                      Relaxation& relaxation);
+/// After the membranes moved, lays anew the cells of which a node has moved by more than
+/// refresh_distance since they were last laid. Team function, by cells.
+void lay_cytoplasm(const ViscosityModel& model, const Suspension& cells, InteriorState& interior);
+
+/// Brings fraction and relaxation rates up to date with the cells laid anew: touches only sites
+/// whose fraction changed. Gives the same bits as `restore_viscosity` from the same kept positions.
+/// Team function, by rows, once all cells are laid.
+void update_viscosity(const ViscosityModel& model, InteriorState& interior, Relaxation& relaxation);
 
 }  // namespace tt

@@ -12,7 +12,8 @@ namespace tt {
 ///
 /// Populations use a halo one site deep, vector fields all of Lattice::halo. Beyond a wall there is
 /// nothing to stand for: `fill` leaves those rows alone (they stay zero), `fold` clears what a
-/// kernel spread there.
+/// kernel spread there. Of vector fields each thread has the rows that are its own in all passes;
+/// where that is not enough they wait by themselves.
 class Exchange {
 public:
     virtual ~Exchange() = default;
@@ -23,10 +24,12 @@ public:
 };
 
 /// Ends a pass of `collide_and_stream`: halo in line, phase flipped, so that between steps every
-/// population can be read and the next pass can start. Team function.
+/// population can be read and the next pass can start. Team function; waits for all before and
+/// after.
 inline void settle(Exchange& exchange, Populations& populations) {
     using Phase = Populations::Phase;
     const Phase done = populations.phase;
+    team_barrier();
     if (done == Phase::even) {
         exchange.fill(populations);
     } else {

@@ -10,7 +10,7 @@ namespace {
 /// Each thread its share.
 template <class F>
 void for_each_halo_run(const Lattice& lattice, F&& f) {
-    const auto [begin, end] = team_share(lattice.ny);
+    const auto [begin, end] = own_rows(lattice);
     for (int i = 1; i < d2q9::count; ++i) {
         if (d2q9::cx[i] == 0) continue;
         const int x = d2q9::cx[i] > 0 ? lattice.nx : -1;
@@ -29,11 +29,19 @@ void for_each_halo_run(const Lattice& lattice, F&& f) {
     }
 }
 
-/// Rows −halo … ny + halo − 1 of this thread's share.
+/// Most runs are of one site: too short for a call.
+template <class Real>
+void copy(const Real* from, int length, Real* to) {
+    if (length == 1)
+        *to = *from;
+    else
+        std::copy_n(from, length, to);
+}
+
 template <class F>
-void for_each_row_with_halo(const Lattice& lattice, F&& f) {
-    const auto [begin, end] = team_share(lattice.rows());
-    for (int j = begin - Lattice::halo; j < end - Lattice::halo; ++j) f(j);
+void for_each_own_row_with_halo(const Lattice& lattice, F&& f) {
+    const auto [begin, end] = own_rows_with_halo(lattice);
+    for (int j = begin; j < end; ++j) f(j);
 }
 
 bool outside(const Lattice& lattice, int j) { return j < 0 || j >= lattice.ny; }
@@ -85,39 +93,35 @@ void fold_rows(Field& field) {
 
 void Periodic::fill(Populations& populations) {
     populations.visit([&](auto* f) {
-        for_each_halo_run(populations.lattice(),
-                          [&](int i, int x, int y, int home_x, int home_y, int length) {
-                              std::copy_n(f + populations.row(i, home_y) + home_x, length,
-                                          f + populations.row(i, y) + x);
-                          });
+        for_each_halo_run(populations.lattice(), [&](int i, int x, int y, int home_x, int home_y,
+                                                     int length) {
+            copy(f + populations.row(i, home_y) + home_x, length, f + populations.row(i, y) + x);
+        });
     });
-    team_barrier();
 }
 
 void Periodic::fold(Populations& populations) {
     populations.visit([&](auto* f) {
-        for_each_halo_run(populations.lattice(),
-                          [&](int i, int x, int y, int home_x, int home_y, int length) {
-                              std::copy_n(f + populations.row(i, y) + x, length,
-                                          f + populations.row(i, home_y) + home_x);
-                          });
+        for_each_halo_run(populations.lattice(), [&](int i, int x, int y, int home_x, int home_y,
+                                                     int length) {
+            copy(f + populations.row(i, y) + x, length, f + populations.row(i, home_y) + home_x);
+        });
     });
-    team_barrier();
 }
 
 void Periodic::fill(VectorField& field) {
     const Lattice& lattice = field.x.lattice();
-    for_each_row_with_halo(lattice, [&](int j) {
+    if (!lattice.walls) team_barrier();  // rows of one end go to the other
+    for_each_own_row_with_halo(lattice, [&](int j) {
         if (lattice.walls && outside(lattice, j)) return;
         fill_row(field.x, j);
         fill_row(field.y, j);
     });
-    team_barrier();
 }
 
 void Periodic::fold(VectorField& field) {
     const Lattice& lattice = field.x.lattice();
-    for_each_row_with_halo(lattice, [&](int j) {
+    for_each_own_row_with_halo(lattice, [&](int j) {
         for (Field* component : {&field.x, &field.y}) {
             if (lattice.walls && outside(lattice, j)) {
                 clear_row(*component, j);
@@ -126,8 +130,8 @@ void Periodic::fold(VectorField& field) {
             }
         }
     });
-    team_barrier();
     if (lattice.walls) return;
+    team_barrier();
     fold_rows(field.x);
     fold_rows(field.y);
     team_barrier();

@@ -18,7 +18,7 @@ void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& bounda
         row.count = lattice.nx;
         row.body_force = body_force;
         row.rates_of_kind = relaxation.rates_of_kind.data();
-        const auto [begin, end] = team_share(lattice.ny);
+        const auto [begin, end] = own_rows(lattice);
         // Upwards and downwards in turn: the rows of the end of one pass, still in the cache, are
         // the first of the next. The order of sites does not matter to an update in place.
         const bool upwards = populations.phase == Populations::Phase::even;
@@ -37,7 +37,6 @@ void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& bounda
             finish_departures(boundaries, populations, j);
         }
     });
-    team_barrier();
 }
 
 }  // namespace tt

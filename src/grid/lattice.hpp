@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 
+#include "base/parallel.hpp"
 #include "base/vec2.hpp"
 
 namespace tt {
@@ -30,6 +32,18 @@ struct Lattice {
     static constexpr Vec2 position(int i, int j) { return {i + 0.5, j + 0.5}; }
     friend constexpr bool operator==(const Lattice&, const Lattice&) = default;
 };
+
+/// [begin, end) of the rows of sites that are this thread's share …
+inline std::pair<int, int> own_rows(const Lattice& lattice) { return team_share(lattice.ny); }
+
+/// … and with them, in the outermost shares, the rows of the halo.
+inline std::pair<int, int> own_rows_with_halo(const Lattice& lattice) {
+    auto [begin, end] = own_rows(lattice);
+    if (begin == end) return {begin, end};
+    if (begin == 0) begin -= Lattice::halo;
+    if (end == lattice.ny) end += Lattice::halo;
+    return {begin, end};
+}
 
 /// n modulo count, in 0 … count − 1; without a division where it is within one period of them.
 constexpr int wrapped(int n, int count) {

@@ -99,7 +99,7 @@ struct ContactState {
 /// from walls.
 ///
 /// A cell's periodic images are other cells, its own included. Sums in a fixed order: same bits for
-/// any team and after any restart. Team function.
+/// any team and after any restart. Team function, by cells; waits for hits of all.
 void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspension& cells,
                      ContactState& contact);
 

@@ -111,33 +111,34 @@ std::int64_t repel_from_walls(const ContactModel& model, const Lattice& lattice,
     return count;
 }
 
+/// What the step is told by: the smallest gap of all cells, and how often the repulsion acted.
+void count_up(ContactState& contact) {
+    contact.smallest_gap = contact.listed_reach;
+    for (const CellContacts& c : contact.cells) {
+        contact.repulsion_count += c.repelled;
+        contact.smallest_gap = std::min(contact.smallest_gap, c.smallest_gap);
+    }
+}
+
 }  // namespace
 
 void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspension& cells,
                      ContactState& contact) {
     if (!(model.reach() > 0.0)) return;
     const Vec2 drift = update_pairs(model, lattice, cells, contact);
-    const auto [begin, end] = team_share(cells.cell_count());
+    const auto [begin, end] = own_cells(cells);
     for (int c = begin; c < end; ++c) {
+        CellContacts& mine = contact.cells[c];
         find_hits(model, cells, contact, c, drift);
         measure_hits(cells.x.data(), cells.y.data(), cells.first[c], cells.first[c + 1] - 1,
-                     contact.cells[c].hits);
-        set_pressures(model, cells.alpha[c], contact.cells[c]);
+                     mine.hits);
+        set_pressures(model, cells.alpha[c], mine);
+        if (lattice.walls && model.repulsion_range > 0.0)
+            mine.repelled += repel_from_walls(model, lattice, cells, c);
     }
-    team_barrier();
+    team_barrier();  // all have their hits
     add_hits(cells, contact, begin, end);
-    if (lattice.walls && model.repulsion_range > 0.0) {
-        for (int c = begin; c < end; ++c)
-            contact.cells[c].repelled += repel_from_walls(model, lattice, cells, c);
-    }
-    team_barrier();
-    on_one_thread([&] {
-        contact.smallest_gap = contact.listed_reach;
-        for (const CellContacts& c : contact.cells) {
-            contact.repulsion_count += c.repelled;
-            contact.smallest_gap = std::min(contact.smallest_gap, c.smallest_gap);
-        }
-    });
+    if (team_rank() == 0) count_up(contact);
 }
 
 }  // namespace tt

@@ -59,7 +59,7 @@ bool lists_hold(const ContactModel& model, const Suspension& cells, ContactState
         return false;
     }
     drift = drift_of(cells, contact);
-    const auto [begin, end] = team_share(cells.cell_count());
+    const auto [begin, end] = own_cells(cells);
     for (int c = begin; c < end; ++c) {
         const int k = cells.first[c];
         contact.cells[c].moved =
@@ -127,7 +127,7 @@ void list_all_pairs(const ContactModel& model, const Lattice& lattice, const Sus
     });
     int most_nodes = 0;
     for (int c = 0; c < count; ++c) most_nodes = std::max(most_nodes, cells.node_count(c));
-    const auto [begin, end] = team_share(count);
+    const auto [begin, end] = own_cells(cells);
     for (int c = begin; c < end; ++c) {
         contact.cells[c].moved = 0.0;
         contact.cells[c].lower.resize(most_nodes / window + 1);

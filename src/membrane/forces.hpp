@@ -16,8 +16,8 @@ struct Membrane {
     bool hold_area = false;       ///< membrane/area.hpp
 };
 
-/// Sets fx, fy to the membrane forces of Eqs. 10–15, and area and alpha of each cell. Team
-/// function.
+/// Sets fx, fy to the membrane forces of Eqs. 10–15, and area, perimeter and alpha of each cell.
+/// Team function, by cells.
 void set_membrane_forces(const Membrane& membrane, Suspension& cells);
 
 }  // namespace tt

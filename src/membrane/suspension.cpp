@@ -16,12 +16,8 @@ double turning(Vec2 before, Vec2 after) {
 }  // namespace
 
 void size_derived(Suspension& cells) {
-    for (auto* zero : {&cells.edge_x, &cells.edge_y, &cells.tension, &cells.moment,
-                       &cells.dipole_xx, &cells.dipole_xy, &cells.rate_xx, &cells.rate_xy}) {
+    for (auto* zero : {&cells.dipole_xx, &cells.dipole_xy, &cells.rate_xx, &cells.rate_xy})
         zero->resize(cells.x.size(), 0.0);
-    }
-    for (auto* one : {&cells.length, &cells.stretch, &cells.hardening})
-        one->resize(cells.x.size(), 1.0);
 }
 
 void add_cell(Suspension& cells, const std::vector<Vec2>& points) {

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "base/vec2.hpp"
 
 namespace tt {
@@ -34,13 +36,6 @@ struct Suspension {
     std::vector<double> area;   ///< A of the last step
     std::vector<double> perimeter;  ///< L_C of the last step
 
-    // Derived in every step, per segment (of its first node) but for the moment, which is per node.
-    std::vector<double> edge_x, edge_y;  ///< from the node to its successor
-    std::vector<double> length, stretch;
-    std::vector<double> hardening;  ///< α(λ)
-    std::vector<double> tension;
-    std::vector<double> moment;
-
     int cell_count() const { return static_cast<int>(first.size()) - 1; }
     int node_count() const { return first.back(); }
     int node_count(int cell) const { return first[cell + 1] - first[cell]; }
@@ -48,6 +43,15 @@ struct Suspension {
     Vec2 velocity(int node) const { return {ux[node], uy[node]}; }
     Vec2 force(int node) const { return {fx[node], fy[node]}; }
 };
+
+/// [begin, end) of the cells that are this thread's share, and of their nodes.
+inline std::pair<int, int> own_cells(const Suspension& cells) {
+    return team_share(cells.cell_count());
+}
+inline std::pair<int, int> own_nodes(const Suspension& cells) {
+    const auto [begin, end] = own_cells(cells);
+    return {cells.first[begin], cells.first[end]};
+}
 
 /// A read-only look at one cell's outline.
 struct Outline {

@@ -1,7 +1,6 @@
 #include "simulation/advance.hpp"
 
-#include <utility>
-
+#include "base/isa.hpp"
 #include "base/parallel.hpp"
 #include "fluid/collide_stream.hpp"
 #include "membrane/area.hpp"
@@ -13,42 +12,38 @@ namespace {
 /// Nodes move with the mean of the velocities sampled in this step and the last. Besides its
 /// momentum a lattice fluid conserves (−1)^{x+t} u, which changes sign from step to step: the mean
 /// does not see it, and so cannot feed it (docs/theory/interface.md).
-void average_in_time(Suspension& cells, bool first_step) {
-    const auto [begin, end] = team_share(cells.node_count());
-    for (auto [velocity, sampled] :
-         {std::pair{&cells.ux, &cells.ux_sampled}, std::pair{&cells.uy, &cells.uy_sampled}}) {
-        double* const u = velocity->data();
-        double* const last = sampled->data();
-        for (int n = begin; n < end; ++n) {
-            const double now = u[n];
-            u[n] = first_step ? now : 0.5 * (now + last[n]);
-            last[n] = now;
-        }
+TT_CLONES void average_in_time(double* u, double* last, int count, bool first_step) {
+#pragma omp simd
+    for (int n = 0; n < count; ++n) {
+        const double now = u[n];
+        u[n] = first_step ? now : 0.5 * (now + last[n]);
+        last[n] = now;
     }
-    team_barrier();
 }
 
-/// Forward Euler.
-void move_nodes(Suspension& cells) {
-    const auto [begin, end] = team_share(cells.node_count());
-    for (int n = begin; n < end; ++n) {
-        cells.x[n] += cells.ux[n];
-        cells.y[n] += cells.uy[n];
-    }
-    team_barrier();
+void average_in_time(Suspension& cells, int cell, bool first_step) {
+    const int first = cells.first[cell], count = cells.node_count(cell);
+    average_in_time(&cells.ux[first], &cells.ux_sampled[first], count, first_step);
+    average_in_time(&cells.uy[first], &cells.uy_sampled[first], count, first_step);
 }
 
-void finish_step(const Model& m, State& s) {
-    on_one_thread([&] {
-        hold_flow(m, s);
-        ++s.step;
-    });
+/// Forward Euler along one axis.
+TT_CLONES void move(const double* u, int count, double* x) {
+#pragma omp simd
+    for (int n = 0; n < count; ++n) x[n] += u[n];
+}
+
+void move_nodes(Suspension& cells, int cell) {
+    const int first = cells.first[cell], count = cells.node_count(cell);
+    move(&cells.ux[first], count, &cells.x[first]);
+    move(&cells.uy[first], count, &cells.y[first]);
 }
 
 }  // namespace
 
 void advance(const Model& m, State& s, Exchange& x, FlowKept kept, StepTimes* times) {
     const bool everywhere = kept == FlowKept::everywhere || drive_looks_at(s.step);
+    const bool first_step = s.step == 0;
     // Kept near membranes only, the velocity of a site takes the place of the force on it, which
     // the collision is the last to read: so much less to bring into the cache.
     VectorField& velocity = everywhere ? s.velocity : s.force;
@@ -58,39 +53,49 @@ void advance(const Model& m, State& s, Exchange& x, FlowKept kept, StepTimes* ti
     };
     if (times) times->start();
 
+    // Each thread its share of the cells …
     set_membrane_forces(m.membrane, s.cells);  // Eqs. 10–15
     done(Pass::membrane);
 
     add_pair_forces(m.contact, m.lattice, s.cells, s.contact);  // Eqs. 16–17
     done(Pass::contact);
 
-    unspread(s.stencils, s.force);
     locate(m.delta, m.lattice, s.cells, s.stencils);  // Eq. 8
+    set_dipoles(m.jump, s.cells);
     done(Pass::locate);
 
-    set_dipoles(m.jump, s.cells);
+    lay_cytoplasm(m.viscosity, s.cells, s.interior);
+    done(Pass::viscosity);
+
+    // … then of the rows of sites …
+    unspread(s.stencils, s.force);
     spread(order, s.stencils, s.cells, s.force);  // Eq. 9
     x.fold(s.force);
     done(Pass::spread);
 
-    update_viscosity(m.viscosity, s.cells, s.interior, s.relaxation);
+    update_viscosity(m.viscosity, s.interior, s.relaxation);
     done(Pass::viscosity);
 
     collide_and_stream(m.equilibrium, m.boundaries, {s.drive.body_force, 0.0}, s.force,
                        s.relaxation, s.populations, velocity,
                        everywhere ? nullptr : &s.stencils.near_membranes);  // Eqs. 1–4
-    settle(x, s.populations);
+    x.fill(velocity);
+    settle(x, s.populations);  // waits until all velocities are there
     done(Pass::fluid);
 
-    x.fill(velocity);
-    interpolate(order, s.stencils, velocity, s.cells);  // Eq. 7
-    correct_velocities(m.jump, s.cells);
-    average_in_time(s.cells, s.step == 0);
-    done(Pass::interpolate);
-
-    if (m.membrane.hold_area) hold_areas(s.cells);
-    move_nodes(s.cells);
-    finish_step(m, s);
+    // … and of the cells again.
+    const auto [begin, end] = own_cells(s.cells);
+    for (int cell = begin; cell < end; ++cell) {
+        interpolate(order, s.stencils, velocity, s.cells, cell);  // Eq. 7
+        correct_velocities(m.jump, s.cells, cell);
+        average_in_time(s.cells, cell, first_step);
+        if (m.membrane.hold_area) hold_area(s.cells, cell);
+        move_nodes(s.cells, cell);
+    }
+    on_one_thread([&] {
+        hold_flow(m, s);
+        ++s.step;
+    });
     done(Pass::move);
 }
 

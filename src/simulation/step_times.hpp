@@ -11,21 +11,20 @@ namespace tt {
 
 /// The parts of a step by which its time is told, in the order of `advance`.
 enum class Pass : std::uint8_t {
-    membrane,     ///< forces of the membranes
-    contact,      ///< forces between cells
-    locate,       ///< stencils between nodes and sites
-    spread,       ///< forces and dipoles to sites
-    viscosity,    ///< the cytoplasm laid anew
-    fluid,        ///< collision, streaming, walls and ends
-    interpolate,  ///< velocity to nodes
-    move          ///< area held, nodes moved, flow held
+    membrane,   ///< forces of the membranes
+    contact,    ///< forces between cells
+    locate,     ///< stencils between nodes and sites, dipoles
+    spread,     ///< forces and dipoles to sites
+    viscosity,  ///< the cytoplasm laid anew
+    fluid,      ///< collision, streaming, walls and ends
+    move        ///< velocity to nodes, area held, nodes moved, flow held
 };
 
 /// Where the time of steps goes: seconds per pass as thread 0 sees them, waiting included.
 class StepTimes {
 public:
-    static constexpr std::array<const char*, 8> names{
-        "membrane", "contact", "locate", "spread", "viscosity", "fluid", "interpolate", "move"};
+    static constexpr std::array<const char*, 7> names{"membrane",  "contact", "locate", "spread",
+                                                      "viscosity", "fluid",   "move"};
 
     /// Begins a step.
     void start() {

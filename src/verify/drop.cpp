@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -140,9 +141,13 @@ DropInShear drop_in_shear(const DropScene& scene, double capillary_number, doubl
     const double fraction = parts.area / (double(m.lattice.nx) * m.lattice.ny);
     const double plain = scene.viscosity * rate;
     result.intrinsic_viscosity = (balance_shear_stress(m, drop.state) / plain - 1.0) / fraction;
-    const std::vector<double>& length = drop.state.cells.length;
-    result.spacing_ratio = *std::max_element(length.begin(), length.end()) /
-                           *std::min_element(length.begin(), length.end());
+    double longest = 0.0, shortest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < shape.size(); ++k) {
+        const double length = norm(shape[(k + 1) % shape.size()] - shape[k]);
+        longest = std::max(longest, length);
+        shortest = std::min(shortest, length);
+    }
+    result.spacing_ratio = longest / shortest;
     return result;
 }
 

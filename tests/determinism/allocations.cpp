@@ -53,7 +53,8 @@ TEST(Allocations, none_in_the_viscosity_and_contact_passes_once_their_arrays_are
             if (n == 100) before = allocations;
             random_cells::jiggle(cells, random, 0.02);
             add_pair_forces(contact_model, lattice, cells, contact);
-            update_viscosity(viscosity, cells, interior, relaxation);
+            lay_cytoplasm(viscosity, cells, interior);
+            update_viscosity(viscosity, interior, relaxation);
         }
         const long after = allocations;  // the assertions themselves allocate
         EXPECT_GT(before, 0);

@@ -127,7 +127,7 @@ Seen see(const Delta& delta, const Strip& strip, int box, double ratio, double l
         settle(exchange, populations);
     }
     exchange.fill(u);
-    interpolate(Order::first, stencils, u, cells);
+    for (int c = 0; c < cells.cell_count(); ++c) interpolate(Order::first, stencils, u, cells, c);
 
     const double beyond = 3.0;
     const Line inside = fit(u, strip, beyond, strip.width - beyond, 0.0);

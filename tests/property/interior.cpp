@@ -198,7 +198,11 @@ void expect_update_equals_rebuild(Lattice lattice, const ViscosityModel& model, 
     rebuild_viscosity(model, cells, interior, relaxation);
     for (int n = 0; n < 6; ++n) {
         random_cells::jiggle(cells, random, step);
-        with_team(threads, [&] { update_viscosity(model, cells, interior, relaxation); });
+        with_team(threads, [&] {
+            lay_cytoplasm(model, cells, interior);
+            team_barrier();
+            update_viscosity(model, interior, relaxation);
+        });
         fresh.x = interior.x;
         fresh.y = interior.y;
         restore_viscosity(model, cells, fresh, fresh_relaxation);
@@ -276,10 +280,12 @@ TEST(Viscosity, a_cell_is_laid_anew_only_when_a_node_has_moved_far_enough) {
     rebuild_viscosity(model, cells, interior, relaxation);
     const Field before = interior.fraction;
     cells.x[5] += 0.09;
-    update_viscosity(model, cells, interior, relaxation);
+    lay_cytoplasm(model, cells, interior);
+    update_viscosity(model, interior, relaxation);
     EXPECT_TRUE(same_bits(before, interior.fraction));
     cells.x[5] += 0.02;
-    update_viscosity(model, cells, interior, relaxation);
+    lay_cytoplasm(model, cells, interior);
+    update_viscosity(model, interior, relaxation);
     EXPECT_FALSE(same_bits(before, interior.fraction));
     EXPECT_EQ(interior.x, cells.x);
 }
@@ -297,7 +303,8 @@ TEST(Viscosity, of_a_moving_cell_neither_lags_nor_leads_on_average) {
     double lag = 0.0;
     for (int step = 0; step < steps; ++step) {
         for (int n = 0; n < cells.node_count(); ++n) cells.x[n] += cells.ux[n] = 0.03;
-        update_viscosity(model, cells, interior, relaxation);
+        lay_cytoplasm(model, cells, interior);
+        update_viscosity(model, interior, relaxation);
         lag += cells.x[0] - interior.x[0];
         EXPECT_LE(std::abs(cells.x[0] - interior.x[0]), model.refresh_distance + 1e-12);
     }
@@ -317,7 +324,8 @@ TEST(Viscosity, marks_the_blocks_of_one_viscosity_truly) {
     std::array<int, Relaxation::kinds> blocks{};
     for (int step = 0; step < 50; ++step) {
         for (double& x : cells.x) x += 0.2;
-        update_viscosity(model, cells, interior, relaxation);
+        lay_cytoplasm(model, cells, interior);
+        update_viscosity(model, interior, relaxation);
         for (int j = 0; j < lattice.ny; ++j) {
             for (int i = 0; i < lattice.nx; ++i) {
                 const int kind = relaxation.kind.row(j)[i / SiteBlocks::width];
@@ -342,7 +350,8 @@ TEST(Viscosity, keeps_the_last_good_field_when_positions_are_not_finite) {
         rebuild_viscosity(model, cells, interior, relaxation);
         const Field before = interior.fraction;
         cells.y[7] = bad;
-        update_viscosity(model, cells, interior, relaxation);
+        lay_cytoplasm(model, cells, interior);
+        update_viscosity(model, interior, relaxation);
         EXPECT_TRUE(same_bits(before, interior.fraction));
     }
 }

@@ -41,27 +41,27 @@ double area_after_move(Suspension cells) {
     return area(cells);
 }
 
-TEST(HoldAreas, a_cell_of_the_right_area_keeps_it) {
+TEST(HoldArea, a_cell_of_the_right_area_keeps_it) {
     Suspension cells = moving_cell(1.0);
     const double before = cells.area[0];
     EXPECT_GT(std::abs(area_after_move(cells) / before - 1.0), 1e-6);
-    hold_areas(cells);
+    hold_area(cells, 0);
     EXPECT_NEAR(area_after_move(cells) / before, 1.0, 1e-8);
 }
 
-TEST(HoldAreas, an_error_is_undone_by_a_thousandth_a_step) {
+TEST(HoldArea, an_error_is_undone_by_a_thousandth_a_step) {
     for (const double ratio : {0.99, 1.02}) {
         Suspension cells = moving_cell(ratio);
-        hold_areas(cells);
+        hold_area(cells, 0);
         const double error = area_after_move(cells) / cells.reference_area[0] - 1.0;
         EXPECT_NEAR(error / (ratio - 1.0), 0.999, 1e-5);
     }
 }
 
-TEST(HoldAreas, only_the_normal_velocity_changes_and_as_the_arc_of_the_node) {
+TEST(HoldArea, only_the_normal_velocity_changes_and_as_the_arc_of_the_node) {
     Suspension cells = moving_cell(0.999);
     const Suspension before = cells;
-    hold_areas(cells);
+    hold_area(cells, 0);
     const auto moved = [&](int k) { return cells.velocity(k) - before.velocity(k); };
     const auto chord = [&](int k) { return cells.position(k + 1) - cells.position(k - 1); };
     const double per_arc = norm(moved(1)) / norm(chord(1));

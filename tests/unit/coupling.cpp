@@ -79,7 +79,8 @@ TEST_P(EveryKernel, spread_and_interpolate_are_adjoint) {
     }
     locate(GetParam().delta, channel, cells, stencils);
     spread(Order::zeroth, stencils, cells, force);
-    interpolate(Order::first, stencils, velocity, cells);
+    for (int c = 0; c < cells.cell_count(); ++c)
+        interpolate(Order::first, stencils, velocity, cells, c);
     double power_of_nodes = 0.0, power_of_sites = 0.0;
     for (int n = 0; n < cells.node_count(); ++n)
         power_of_nodes += dot(cells.force(n), cells.velocity(n));
@@ -102,7 +103,8 @@ TEST_P(EveryKernel, linear_velocity_is_interpolated_exactly_up_to_the_wall) {
         }
     }
     locate(GetParam().delta, channel, cells, stencils);
-    interpolate(Order::first, stencils, velocity, cells);
+    for (int c = 0; c < cells.cell_count(); ++c)
+        interpolate(Order::first, stencils, velocity, cells, c);
     for (int n = 0; n < cells.node_count(); ++n) {
         EXPECT_NEAR(cells.ux[n], 0.3 + 0.02 * cells.y[n], 1e-12);
         EXPECT_NEAR(cells.uy[n], -0.1 + 0.01 * cells.x[n], 1e-12);
