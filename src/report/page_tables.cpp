@@ -86,7 +86,7 @@ std::string summary_of_many(std::span<const Results> runs, const std::vector<std
     return table.text();
 }
 
-std::string verdict(const Check& check) {
+std::string verdict(const RunCheck& check) {
     if (check.worst.empty()) return "not recorded";
     return check.raised ? "look: " + check.meaning : "in order";
 }
@@ -122,7 +122,7 @@ std::string checks_section(std::span<const Results> runs, const std::vector<std:
         const std::string whose = runs.size() == 1 ? "Worst" : labels[r] + ": worst";
         HtmlTable table(whose + " over the whole run.",
                         {{"check", ""}, {"worst", ""}, {"limit", ""}, {"verdict", "meaning"}});
-        for (const Check& check : checks(runs[r])) {
+        for (const RunCheck& check : checks(runs[r])) {
             table.add_row({check.name, check.worst, check.limit, verdict(check)},
                           check.raised ? "raised" : "");
         }

@@ -116,9 +116,9 @@ double largest(const std::vector<double>& series) {
     return worst;
 }
 
-Check at_most(const Results& run, const std::string& name, const std::string& column, double limit,
-              const std::string& meaning) {
-    Check check{name, "", limit == 0.0 ? "none" : "≤ " + number_text(limit, 2), false, meaning};
+RunCheck at_most(const Results& run, const std::string& name, const std::string& column,
+                 double limit, const std::string& meaning) {
+    RunCheck check{name, "", limit == 0.0 ? "none" : "≤ " + number_text(limit, 2), false, meaning};
     const std::vector<double>& series = values(run.series, column);
     if (series.empty()) return check;
     const double worst = std::max(largest(series), 0.0);
@@ -127,10 +127,10 @@ Check at_most(const Results& run, const std::string& name, const std::string& co
     return check;
 }
 
-Check gap_check(const Results& run) {
-    Check check{"smallest gap between cells", "not measured", "≥ one site spacing", false,
-                "thinner films of plasma than the lattice resolves: forces and friction in them "
-                "are not to be trusted"};
+RunCheck gap_check(const Results& run) {
+    RunCheck check{"smallest gap between cells", "not measured", "≥ one site spacing", false,
+                   "thinner films of plasma than the lattice resolves: forces and friction in them "
+                   "are not to be trusted"};
     const std::vector<double>& gaps = values(run.series, "smallest_gap");
     const double spacing = site_spacing(run);
     double smallest = std::numeric_limits<double>::infinity();
@@ -164,7 +164,7 @@ std::string case_in_words(const Results& run) {
     return text;
 }
 
-std::vector<Check> checks(const Results& run) {
+std::vector<RunCheck> checks(const Results& run) {
     return {
         at_most(run, "nodes inside another cell", "overlaps", 0.0,
                 "cells overlapped: the contact model did not keep them apart"),

@@ -12,7 +12,7 @@ namespace tt {
 std::string case_in_words(const Results& run);
 
 /// A guard of the run: its worst value, what it is held against, and whether that is passed.
-struct Check {
+struct RunCheck {
     std::string name;
     std::string worst;  ///< empty: the run did not record it
     std::string limit;
@@ -22,7 +22,7 @@ struct Check {
 
 /// Overlaps, gaps that the lattice does not resolve, area error, Mach number, short-range
 /// repulsion.
-std::vector<Check> checks(const Results& run);
+std::vector<RunCheck> checks(const Results& run);
 
 /// How far the run came, if it is not finished; empty if it is.
 std::string unfinished_note(const Results& run);

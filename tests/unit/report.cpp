@@ -92,7 +92,7 @@ TEST(Report, directory_that_a_run_wrote_is_understood) {
     EXPECT_GT(run.window_end, run.window_begin);
     ASSERT_TRUE(run.frames);
     EXPECT_EQ(run.frames->count(), 9);
-    for (const Check& check : checks(run)) EXPECT_FALSE(check.worst.empty()) << check.name;
+    for (const RunCheck& check : checks(run)) EXPECT_FALSE(check.worst.empty()) << check.name;
 
     const std::array<fs::path, 1> runs{scratch / "run"};
     const std::string page = text_of(write_report(runs));
@@ -108,7 +108,7 @@ TEST(Report, directory_that_a_run_wrote_is_understood) {
 TEST(Report, raised_checks_are_those_beyond_their_limit) {
     ScratchFolder scratch;
     invent_results(scratch / "run", "--overlaps 2");  // 1 µm sites, gaps down to 0.3 µm
-    for (const Check& check : checks(read_results(scratch / "run"))) {
+    for (const RunCheck& check : checks(read_results(scratch / "run"))) {
         const bool expected =
             check.name == "nodes inside another cell" || check.name == "smallest gap between cells";
         EXPECT_EQ(check.raised, expected) << check.name << ": " << check.worst;
