@@ -7,6 +7,8 @@
 #include "coupling/viscosity.hpp"
 #include "interaction/contact.hpp"
 #include "random_cells.hpp"
+#include "simulation/advance.hpp"
+#include "small_run.hpp"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -60,6 +62,22 @@ TEST(Allocations, none_in_the_viscosity_and_contact_passes_once_their_arrays_are
         EXPECT_GT(before, 0);
         EXPECT_EQ(after, before);
     }
+}
+
+TEST(Allocations, none_in_a_step_once_its_arrays_are_there) {
+    Model model = small_model();
+    model.contact.law = Morse{1e-3, 0.77, 2.45, true};
+    model.contact.range = 9.0;
+    State state = small_state(model);
+    Periodic exchange;
+    long before = 0;
+    for (int n = 0; n < 300; ++n) {
+        if (n == 100) before = allocations;
+        advance(model, state, exchange,
+                n % 3 == 0 ? FlowKept::everywhere : FlowKept::near_membranes);
+    }
+    const long after = allocations;
+    EXPECT_EQ(after, before);
 }
 
 }  // namespace
