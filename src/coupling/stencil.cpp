@@ -102,18 +102,26 @@ TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, c
         const Four sx = load_four(&stencils.sx[width * n]);
         const double* const wy = &stencils.wy[width * n];
         const double* const sy = &stencils.sy[width * n];
-        const double fx = cells.fx[n], fy = cells.fy[n];
-        const double xx = cells.dipole_xx[n], xy = cells.dipole_xy[n];
+        // What goes along a row with its weight and, of the dipole, with its slope.
+        Four weighted_x = cells.fx[n] * wx, weighted_y = cells.fy[n] * wx;
+        Four sloped_x{}, sloped_y{};
+        if constexpr (order == Order::first) {
+            const double xx = cells.dipole_xx[n], xy = cells.dipole_xy[n];
+            weighted_x += xx * sx;
+            weighted_y += xy * sx;
+            sloped_x = xy * wx;
+            sloped_y = -xx * wx;
+        }
         double* x = rows.x + (j0 + first) * rows.pitch + stencils.i[n];
         double* y = rows.y + (j0 + first) * rows.pitch + stencils.i[n];
         for (int l = first; l < last; ++l, x += rows.pitch, y += rows.pitch) {
-            if constexpr (order == Order::zeroth) {
-                store_four(x, load_four(x) + (fx * wy[l]) * wx);
-                store_four(y, load_four(y) + (fy * wy[l]) * wx);
-            } else {
-                store_four(x, load_four(x) + ((fx * wy[l] + xy * sy[l]) * wx + (xx * wy[l]) * sx));
-                store_four(y, load_four(y) + ((fy * wy[l] - xx * sy[l]) * wx + (xy * wy[l]) * sx));
+            Four given_x = wy[l] * weighted_x, given_y = wy[l] * weighted_y;
+            if constexpr (order == Order::first) {
+                given_x += sy[l] * sloped_x;
+                given_y += sy[l] * sloped_y;
             }
+            store_four(x, load_four(x) + given_x);
+            store_four(y, load_four(y) + given_y);
         }
     }
 }
