@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    static constexpr int patience = 30'000;  ///< looks before sleep: some tens of microseconds
+    static constexpr int patience = 300'000;  ///< looks before sleep: some tenths of a millisecond
 
     int size_;
     alignas(64) std::atomic<int> arrived_{0};
