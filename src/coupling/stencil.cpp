@@ -76,6 +76,7 @@ TT_CLONES void extend_upwards(const Marks& marks) {
     }
 }
 
+/// Marks the sites near membranes in this thread's rows.
 void mark_near_membranes(const Lattice& lattice, Stencils& stencils) {
     thread_local std::vector<std::uint8_t> below;
     SiteBlocks& near = stencils.near_membranes;
@@ -202,7 +203,7 @@ TT_CLONES void interpolate_rate(const Stencils& w, const VectorField& u, Suspens
 }  // namespace
 
 void spread(Order order, Stencils& stencils, const Suspension& cells, VectorField& force) {
-    team_barrier();
+    team_barrier();  // all nodes have their stencils and forces
     mark_near_membranes(force.x.lattice(), stencils);
     (order == Order::zeroth ? spread_forces : spread_dipoles)(stencils, cells, rows_of(force));
 }

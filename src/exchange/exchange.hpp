@@ -29,7 +29,7 @@ public:
 inline void settle(Exchange& exchange, Populations& populations) {
     using Phase = Populations::Phase;
     const Phase done = populations.phase;
-    team_barrier();
+    team_barrier();  // all rows have been passed
     if (done == Phase::even) {
         exchange.fill(populations);
     } else {

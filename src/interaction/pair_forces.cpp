@@ -111,7 +111,7 @@ std::int64_t repel_from_walls(const ContactModel& model, const Lattice& lattice,
     return count;
 }
 
-/// What the step is told by: the smallest gap of all cells, and how often the repulsion acted.
+/// The smallest gap of all cells, and how often the repulsion acted.
 void count_up(ContactState& contact) {
     contact.smallest_gap = contact.listed_reach;
     for (const CellContacts& c : contact.cells) {

@@ -66,7 +66,7 @@ bool lists_hold(const ContactModel& model, const Suspension& cells, ContactState
             std::sqrt(largest_move2(&cells.x[k], &cells.y[k], &contact.listed_x[k],
                                     &contact.listed_y[k], cells.node_count(c), drift));
     }
-    team_barrier();
+    team_barrier();  // all know how far their cells have moved
     return std::all_of(contact.cells.begin(), contact.cells.end(),
                        [](const CellContacts& c) { return c.moved <= skin; });
 }
