@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    static constexpr int patience = 300'000;  ///< looks before sleep: some tenths of a millisecond
+    static constexpr int patience = 300'000;  ///< looks before sleep: about a tenth of a millisecond
 
     int size_;
     alignas(64) std::atomic<int> arrived_{0};
