@@ -15,6 +15,17 @@ Moments moments(const Populations& populations, int i, int j) {
     return m;
 }
 
+std::vector<double> density_deviations(const Populations& populations, int j) {
+    std::vector<double> sums(static_cast<std::size_t>(populations.lattice().nx), 0.0);
+    populations.visit([&](const auto* numbers) {
+        for (int k = 0; k < d2q9::count; ++k) {
+            const auto* const arriving = numbers + populations.arrivals(k, j);
+            for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += arriving[i];
+        }
+    });
+    return sums;
+}
+
 void set_equilibrium(const Equilibrium& equilibrium, const VectorField& velocity,
                      double pressure_drop, Populations& populations) {
     const Lattice& lattice = populations.lattice();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "base/vec2.hpp"
 #include "fluid/equilibrium.hpp"
 #include "fluid/populations.hpp"
@@ -17,6 +19,9 @@ struct Moments {
 /// Moments of the populations arriving at site (i, j). In phase odd the halo must be filled
 /// (`settle` leaves it so).
 Moments moments(const Populations& populations, int i, int j);
+
+/// Density deviations of the sites of row j.
+std::vector<double> density_deviations(const Populations& populations, int j);
 
 /// Sets every site to the equilibrium of the given velocity (zero: at rest) and of a density that
 /// falls evenly along x by that of `pressure_drop`, 1 in the middle: with the drop between the ends

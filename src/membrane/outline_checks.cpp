@@ -29,9 +29,25 @@ bool folds_back(Vec2 before, Vec2 node, Vec2 after) {
     return cross(node - before, after - node) == 0.0 && dot(node - before, after - node) < 0.0;
 }
 
+/// Does every segment go forward around the mean of the nodes, and all of them together once? Then
+/// no two can meet. Most outlines do; a curled one need not.
+bool goes_around_once(const Outline& outline) {
+    const int n = outline.size();
+    Vec2 centre;
+    for (int k = 0; k < n; ++k) centre += outline[k] / n;
+    int turns = 0;
+    for (int k = 0; k < n; ++k) {
+        const Vec2 a = outline[k] - centre, b = outline[k + 1 < n ? k + 1 : 0] - centre;
+        if (!(cross(a, b) > 0.0)) return false;
+        turns += a.y < 0.0 && b.y >= 0.0 ? 1 : 0;
+    }
+    return turns == 1;
+}
+
 }  // namespace
 
 std::optional<SelfCrossing> self_crossing(const Outline& outline) {
+    if (goes_around_once(outline)) return std::nullopt;
     const int n = outline.size();
     const auto end = [&](int k) { return outline[k + 1 < n ? k + 1 : 0]; };
     const auto low = [&](int k) { return std::min(outline[k].x, end(k).x); };

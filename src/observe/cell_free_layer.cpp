@@ -25,7 +25,7 @@ void widen(std::vector<Envelope>& envelope, Vec2 a, Vec2 b) {
     for (int i = first; i <= last; ++i) {
         const double t = a.x == b.x ? 0.0 : (i + 0.5 - a.x) / (b.x - a.x);
         const double y = a.y + t * (b.y - a.y);
-        Envelope& column = envelope[((i % columns) + columns) % columns];
+        Envelope& column = envelope[wrapped(i, columns)];
         column.low = std::min(column.low, y);
         column.high = std::max(column.high, y);
     }

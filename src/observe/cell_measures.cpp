@@ -6,6 +6,7 @@
 #include <numbers>
 #include <variant>
 
+#include "base/parallel.hpp"
 #include "observe/membrane_stress.hpp"
 
 namespace tt {
@@ -109,10 +110,11 @@ CellMeasures measure_cell(const Model& model, const State& state, int cell) {
 
 std::vector<CellMeasures> measure_cells(const Model& model, const State& state) {
     const PlasmaMap plasma(model.lattice, state.cells);
-    std::vector<CellMeasures> all;
-    for (int c = 0; c < state.cells.cell_count(); ++c) {
-        all.push_back(measure_cell(model, state, plasma, c));
-    }
+    std::vector<CellMeasures> all(static_cast<std::size_t>(state.cells.cell_count()));
+    with_team(model.threads, [&] {
+        const auto [begin, end] = own_cells(state.cells);
+        for (int c = begin; c < end; ++c) all[c] = measure_cell(model, state, plasma, c);
+    });
     return all;
 }
 

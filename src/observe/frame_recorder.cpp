@@ -41,11 +41,11 @@ Frame frame_of(const Snapshot& snapshot) {
     // A run without cells has no field of cytoplasm.
     const bool cells = state.interior.fraction.size() > 0;
     for (int j = 0; j < lattice.ny; ++j) {
+        const std::vector<double> density_deviation = density_deviations(state.populations, j);
         for (int i = 0; i < lattice.nx; ++i) {
             frame.velocity.push_back(static_cast<float>(state.velocity.x(i, j) * speed));
             frame.velocity.push_back(static_cast<float>(state.velocity.y(i, j) * speed));
-            const double excess = moments(state.populations, i, j).density_deviation;
-            frame.pressure.push_back(static_cast<float>(excess * pressure));
+            frame.pressure.push_back(static_cast<float>(density_deviation[i] * pressure));
             frame.cytoplasm.push_back(cells ? static_cast<float>(state.interior.fraction(i, j))
                                             : 0.0f);
         }

@@ -59,8 +59,8 @@ void PlasmaMap::mark_interior(const Outline& outline) {
 }
 
 void PlasmaMap::mark(int i, int j, std::int32_t cell) {
-    const int column = ((i % lattice_.nx) + lattice_.nx) % lattice_.nx;
-    const int row = lattice_.walls ? j : ((j % lattice_.ny) + lattice_.ny) % lattice_.ny;
+    const int column = wrapped(i, lattice_.nx);
+    const int row = lattice_.walls ? j : wrapped(j, lattice_.ny);
     if (row < 0 || row >= lattice_.ny) return;
     std::int32_t& mark = marks_[static_cast<std::size_t>(row) * lattice_.nx + column];
     mark = mark == plasma || mark == cell ? cell : taken;

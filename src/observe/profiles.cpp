@@ -14,7 +14,7 @@ std::vector<double> hematocrit_profile(const Lattice& lattice, const Suspension&
         const auto [low, high] = std::minmax_element(shape.y.begin(), shape.y.end());
         const int last = static_cast<int>(std::floor(*high - 0.5));
         for (int j = static_cast<int>(std::ceil(*low - 0.5)); j <= last; ++j) {
-            const int row = lattice.walls ? j : ((j % lattice.ny) + lattice.ny) % lattice.ny;
+            const int row = lattice.walls ? j : wrapped(j, lattice.ny);
             if (row < 0 || row >= lattice.ny) continue;
             profile[row] += extent_at_height(shape, j + 0.5) / lattice.nx;
         }

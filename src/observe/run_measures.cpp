@@ -83,7 +83,7 @@ double largest_speed(const VectorField& velocity) {
 }
 
 /// Σ A / (length × width), and Σ A_c v_c / length over the flux.
-void measure_hematocrit(const Model& model, const State& state, std::span<const CellMeasures> cells,
+void measure_hematocrit(const Model& model, std::span<const CellMeasures> cells, double fastest,
                         RunMeasures& m) {
     double area = 0.0, carried = 0.0;
     for (const CellMeasures& c : cells) {
@@ -93,8 +93,8 @@ void measure_hematocrit(const Model& model, const State& state, std::span<const 
     const double length = model.lattice.nx * model.scales.length;
     m.hematocrit_tube = area / (length * model.lattice.ny * model.scales.length);
     // A mean of round-off, as in fluid at rest, carries nothing.
-    const double fastest = largest_speed(state.velocity) * model.scales.length / model.scales.time;
-    const bool carries = !walls_drive(model) && std::abs(m.mean_velocity.si) > 1e-9 * fastest;
+    const double round_off = 1e-9 * model.scales.to_si<Velocity>(fastest).si;
+    const bool carries = !walls_drive(model) && std::abs(m.mean_velocity.si) > round_off;
     m.hematocrit_discharge = carries ? carried / length / m.flux.si : undefined;
 }
 
@@ -190,10 +190,11 @@ RunMeasures measure_run(const Model& model, const State& state,
     m.time = Time{static_cast<double>(state.step) * model.scales.time};
     m.step = state.step;
     measure_flow(model, state, m);
-    measure_hematocrit(model, state, cells, m);
+    const double fastest = largest_speed(state.velocity);
+    measure_hematocrit(model, cells, fastest, m);
     measure_shapes(cells, m);
     measure_layers(model, state, m);
-    m.mach = largest_speed(state.velocity) * std::numbers::sqrt3;
+    m.mach = fastest * std::numbers::sqrt3;
     m.overlaps = static_cast<std::int64_t>(find_overlaps(model.lattice, state.cells).size());
     m.repulsion_count = state.contact.repulsion_count;
     m.smallest_gap =

@@ -42,7 +42,7 @@ void move_nodes(Suspension& cells, int cell) {
 }  // namespace
 
 void advance(const Model& m, State& s, Exchange& x, FlowKept kept, StepTimes* times) {
-    const bool everywhere = kept == FlowKept::everywhere || drive_looks_at(s.step);
+    const bool everywhere = kept == FlowKept::everywhere || drive_looks_at(m, s.step);
     const bool first_step = s.step == 0;
     // Kept near membranes only, the velocity of a site takes the place of the force on it, which
     // the collision is the last to read: so much less to bring into the cache.

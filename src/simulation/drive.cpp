@@ -24,17 +24,15 @@ double mean_velocity(const Field& ux) {
 }  // namespace
 
 void hold_flow(const Model& model, State& state) {
-    if (!drive_looks_at(state.step)) return;
+    if (!drive_looks_at(model, state.step)) return;
     DriveState& drive = state.drive;
-    drive.mean_velocity = mean_velocity(state.velocity.x);
-    if (!model.drive.hold_mean_velocity) return;
     // The mean flow answers a force g as U' = g − U/T with T = H²/(π² ν), the slowest viscous mode.
     // The gains 3/T and 4/T² of this proportional-integral controller put both poles of the loop at
     // −2/T: critically damped, no overshoot to a step.
     const double height = model.lattice.ny;
     const double response =
         height * height / (std::numbers::pi * std::numbers::pi * model.viscosity.plasma);
-    const double error = model.drive.target_velocity - drive.mean_velocity;
+    const double error = model.drive.target_velocity - mean_velocity(state.velocity.x);
     drive.integral += 4.0 * error * drive_interval / response;
     drive.body_force = model.drive.body_force + (3.0 * error + drive.integral) / response;
 }

@@ -7,11 +7,13 @@
 
 namespace tt {
 
-/// Every `drive_interval` steps, from the velocity field just computed: the mean of u_x over all
-/// sites and, where the case holds the mean velocity, the body force that does so. One thread; sums
-/// in a fixed order.
+/// Where the case holds the mean velocity: every `drive_interval` steps the body force that does
+/// so, from the mean of u_x over all sites of the velocity field just computed. One thread; sums in
+/// a fixed order.
 inline constexpr int drive_interval = 10;
-constexpr bool drive_looks_at(std::int64_t step) { return step % drive_interval == 0; }
+inline bool drive_looks_at(const Model& model, std::int64_t step) {
+    return model.drive.hold_mean_velocity && step % drive_interval == 0;
+}
 void hold_flow(const Model& model, State& state);
 
 }  // namespace tt

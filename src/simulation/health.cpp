@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/isa.hpp"
+#include "base/parallel.hpp"
 #include "base/vec2.hpp"
 #include "grid/d2q9.hpp"
 #include "membrane/outline.hpp"
@@ -175,21 +176,32 @@ std::optional<Instability> Health::node_steps(const Model& model, const State& s
     return std::nullopt;
 }
 
-std::optional<Instability> Health::after_step(const Model& model, const State& state) {
+/// Are this thread's nodes where they may be? If so their positions are kept for the next time.
+bool Health::nodes_hold(const Model& model, const State& state) {
     const Suspension& cells = state.cells;
     const bool walls = model.lattice.walls;
+    const auto [begin, end] = own_nodes(cells);
+    const double *const x = cells.x.data(), *const y = cells.y.data();
     const int faults =
-        count_faults({cells.node_count(), cells.x.data(), cells.y.data(), x_.data(), y_.data(),
+        count_faults({end - begin, x + begin, y + begin, x_.data() + begin, y_.data() + begin,
                       limits_.node_step * limits_.node_step, walls ? 0.0 : -farthest,
                       walls ? static_cast<double>(model.lattice.ny) : farthest});
-    if (faults > 0) {
-        if (auto found = node_steps(model, state)) return found;
-        return node_places(model, state);
-    }
-    std::copy(cells.x.begin(), cells.x.end(), x_.begin());
-    std::copy(cells.y.begin(), cells.y.end(), y_.begin());
-    if (looks_at_flow(state.step)) return examine(model, state);
-    return std::nullopt;
+    if (faults > 0) return false;
+    std::copy(x + begin, x + end, x_.data() + begin);
+    std::copy(y + begin, y + end, y_.data() + begin);
+    return true;
+}
+
+std::optional<Instability> Health::after_step(const Model& model, const State& state) {
+    if (!nodes_hold(model, state)) nodes_failed_ = true;
+    team_barrier();
+    if (!nodes_failed_ && !looks_at_flow(state.step)) return std::nullopt;
+    on_one_thread([&] {
+        found_ = nodes_failed_ ? node_steps(model, state) : std::nullopt;
+        if (!found_) found_ = examine(model, state);
+    });
+    if (team_rank() == 0) nodes_failed_ = false;  // all have read it
+    return found_;
 }
 
 std::optional<Instability> Health::examine(const Model& model, const State& state) const {

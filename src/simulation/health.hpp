@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -29,7 +30,7 @@ public:
 
     /// To be called after every step. Cheap: way of each node since the last call, and its place
     /// between the walls; every `interval` steps everything that `examine` looks at. What is wrong,
-    /// or nothing.
+    /// or nothing. Team function, by cells; waits at its end and tells all the same.
     std::optional<Instability> after_step(const Model& model, const State& state);
 
     /// Does `after_step` look at the velocity of all sites after this step?
@@ -41,10 +42,13 @@ public:
     std::optional<Instability> examine(const Model& model, const State& state) const;
 
 private:
+    bool nodes_hold(const Model& model, const State& state);
     std::optional<Instability> node_steps(const Model& model, const State& state) const;
 
     HealthLimits limits_;
     std::vector<double> x_, y_;  ///< positions at the last call
+    std::atomic<bool> nodes_failed_{false};
+    std::optional<Instability> found_;
 };
 
 }  // namespace tt

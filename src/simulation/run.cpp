@@ -13,8 +13,10 @@ void run_steps(const Model& model, State& state, Exchange& exchange, Health& hea
                std::int64_t until, Clock::time_point wake, StepTimes* times) {
     TT_EXPECTS(state.step < until);
     std::optional<Instability> fault;
-    bool done = false, last = false;
+    bool last = false;
     FlowKept kept = FlowKept::everywhere;
+    // Changes only between the barriers at the ends of advance and after_step, so that all threads
+    // read the same.
     const auto look_ahead = [&] {
         const std::int64_t next = state.step + 1;
         last = next >= until || stop_requested() || Clock::now() >= wake;
@@ -22,15 +24,13 @@ void run_steps(const Model& model, State& state, Exchange& exchange, Health& hea
     };
     look_ahead();
     with_team(model.threads, [&] {
-        // `done`, `kept` and `last` change only between the two barriers of on_one_thread and
-        // advance, so all threads read the same.
-        while (!done) {
+        for (bool done = false; !done;) {
+            const bool was_last = last;
             advance(model, state, exchange, kept, times);
-            on_one_thread([&] {
-                fault = health.after_step(model, state);
-                done = fault || last;
-                look_ahead();
-            });
+            if (team_rank() == 0) look_ahead();
+            const auto found = health.after_step(model, state);
+            if (found && team_rank() == 0) fault = found;
+            done = found || was_last;
         }
     });
     if (fault) throw SimulationError(*fault);

@@ -13,8 +13,7 @@ namespace tt {
 
 /// What the controller of the mean velocity remembers.
 struct DriveState {
-    double body_force = 0.0;     ///< acting now
-    double mean_velocity = 0.0;  ///< mean of u_x over all sites at the last look
+    double body_force = 0.0;  ///< acting now
     double integral = 0.0;
 };
 

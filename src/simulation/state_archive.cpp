@@ -40,7 +40,6 @@ template <class S, class Visit>
 void for_each_number(S& state, Visit&& visit) {
     visit("step", state.step);
     visit("drive.body_force", state.drive.body_force);
-    visit("drive.mean_velocity", state.drive.mean_velocity);
     visit("drive.integral", state.drive.integral);
     visit("contact.repulsion_count", state.contact.repulsion_count);
     visit("contact.smallest_gap", state.contact.smallest_gap);
