@@ -19,7 +19,7 @@ public:
 
     int size() const { return size_; }
 
-    /// Waits for all. A step has seven of these and takes a few tenths of a millisecond, so it
+    /// Waits for all. A step has six of these and takes a few tenths of a millisecond, so it
     /// spins; but where the machine is busy with other work it soon goes to sleep, or a thread
     /// that waits would keep the one it waits for from running. (To yield instead is not enough:
     /// the scheduler may give the time to the other work, a slice of milliseconds at every

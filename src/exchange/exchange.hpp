@@ -24,8 +24,8 @@ public:
 };
 
 /// Ends a pass of `collide_and_stream`: halo in line, phase flipped, so that between steps every
-/// population can be read and the next pass can start. Team function; waits for all before and
-/// after.
+/// population can be read and the next pass can start. Team function; waits until all rows have
+/// been passed, and is done when all threads have returned.
 inline void settle(Exchange& exchange, Populations& populations) {
     using Phase = Populations::Phase;
     const Phase done = populations.phase;
@@ -35,7 +35,7 @@ inline void settle(Exchange& exchange, Populations& populations) {
     } else {
         exchange.fold(populations);
     }
-    on_one_thread([&] { populations.phase = done == Phase::even ? Phase::odd : Phase::even; });
+    if (team_rank() == 0) populations.phase = done == Phase::even ? Phase::odd : Phase::even;
 }
 
 }  // namespace tt

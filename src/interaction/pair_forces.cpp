@@ -73,6 +73,24 @@ void set_pressures(const ContactModel& model, double alpha, CellContacts& mine) 
     }
 }
 
+/// [begin, end) of cells in a row that have this thread's share of the pairs: some cells have ten
+/// times as many as others.
+std::pair<int, int> share_of_pairs(const ContactState& contact) {
+    const int size = team_size(), rank = team_rank();
+    const auto weight = [](const CellContacts& c) { return c.pairs.size() + 1; };
+    std::size_t total = 0, before = 0;
+    for (const CellContacts& c : contact.cells) total += weight(c);
+    int begin = 0, end = 0;
+    for (const CellContacts& c : contact.cells) {
+        // Whose share holds the middle of this cell's pairs?
+        const auto owner = static_cast<int>((2 * before + weight(c)) * size / (2 * total));
+        begin += owner < rank ? 1 : 0;
+        end += owner <= rank ? 1 : 0;
+        before += weight(c);
+    }
+    return {begin, end};
+}
+
 /// Adds all forces that fall on the cells [begin, end), in the order of the lists.
 void add_hits(Suspension& cells, const ContactState& contact, int begin, int end) {
     const auto add = [&](int node, Vec2 force) {
@@ -126,8 +144,8 @@ void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspensi
                      ContactState& contact) {
     if (!(model.reach() > 0.0)) return;
     const Vec2 drift = update_pairs(model, lattice, cells, contact);
-    const auto [begin, end] = own_cells(cells);
-    for (int c = begin; c < end; ++c) {
+    const auto [first, past] = share_of_pairs(contact);
+    for (int c = first; c < past; ++c) {
         CellContacts& mine = contact.cells[c];
         find_hits(model, cells, contact, c, drift);
         measure_hits(cells.x.data(), cells.y.data(), cells.first[c], cells.first[c + 1] - 1,
@@ -137,6 +155,7 @@ void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspensi
             mine.repelled += repel_from_walls(model, lattice, cells, c);
     }
     team_barrier();  // all have their hits
+    const auto [begin, end] = own_cells(cells);
     add_hits(cells, contact, begin, end);
     if (team_rank() == 0) count_up(contact);
 }

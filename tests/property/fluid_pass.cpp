@@ -71,6 +71,7 @@ VectorField run(Scene& s, int steps, int threads) {
             collide_and_stream(s.equilibrium, s.boundaries, s.body_force, s.force, s.relaxation,
                                s.populations, velocity);
             settle(exchange, s.populations);
+            team_barrier();
         }
     });
     return velocity;
