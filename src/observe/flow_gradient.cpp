@@ -13,9 +13,6 @@ VelocityGradient mixed(const VelocityGradient& a, const VelocityGradient& b, dou
 
 }  // namespace
 
-int FlowView::column(int i) const { return wrapped(i, lattice_.nx); }
-int FlowView::row(int j) const { return lattice_.walls ? j : wrapped(j, lattice_.ny); }
-
 VelocityGradient FlowView::at_site(int i, int j) const {
     const Vec2 by_x = 0.5 * (velocity_(column(i + 1), j) - velocity_(column(i - 1), j));
     // The wall stands half a site off: derivative of the parabola through −½, 0 and 1.
@@ -53,7 +50,7 @@ double FlowView::at_top_wall(int i) const {
 }
 
 double principal_shear_rate(const VelocityGradient& gradient) {
-    return std::hypot(gradient.by_x.x - gradient.by_y.y, gradient.by_x.y + gradient.by_y.x);
+    return norm(Vec2{gradient.by_x.x - gradient.by_y.y, gradient.by_x.y + gradient.by_y.x});
 }
 
 double local_viscosity(const Relaxation& relaxation, int i, int j) {
