@@ -388,6 +388,31 @@ TEST(SelfCrossing, is_not_seen_in_simple_outlines) {
     EXPECT_FALSE(self_crossing(outline(cells, 0)).has_value());
 }
 
+TEST(SelfCrossing, is_not_seen_in_a_curled_outline_that_its_centre_cannot_see_all_of) {
+    // A thick letter C: out along the outer arc, back along the inner one.
+    std::vector<Vec2> curled;
+    for (int k = 0; k <= 60; ++k) {
+        const double angle = 0.6 + (2.0 * M_PI - 1.2) * k / 60.0;
+        curled.push_back(10.0 * Vec2{std::cos(angle), std::sin(angle)});
+    }
+    for (int k = 60; k >= 0; --k) curled.push_back(0.7 * curled[k]);
+    Suspension cells;
+    add_cell(cells, curled);
+    EXPECT_FALSE(self_crossing(outline(cells, 0)).has_value());
+}
+
+TEST(SelfCrossing, is_found_where_an_outline_goes_around_twice) {
+    // Always forward around its centre, and yet every segment crosses others.
+    std::vector<Vec2> star;
+    for (int k = 0; k < 41; ++k) {
+        const double angle = 4.0 * M_PI * k / 41.0;
+        star.push_back(10.0 * Vec2{std::cos(angle), std::sin(angle)});
+    }
+    Suspension cells;
+    add_cell(cells, star);
+    EXPECT_TRUE(self_crossing(outline(cells, 0)).has_value());
+}
+
 TEST(SelfCrossing, is_found_where_a_node_was_pulled_through) {
     Random random(10);
     for (int trial = 0; trial < 100; ++trial) {

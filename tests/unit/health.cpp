@@ -1,11 +1,13 @@
 #include "simulation/health.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include <gtest/gtest.h>
 
+#include "base/parallel.hpp"
 #include "small_run.hpp"
 
 namespace tt {
@@ -90,6 +92,20 @@ TEST_F(HealthGuards, see_an_outline_that_crosses_itself) {
     ASSERT_TRUE(fault.has_value());
     EXPECT_EQ(fault->quantity, "crossings of segment 9 with segment 11 of the same cell");
     EXPECT_EQ(fault->cell, 0);
+}
+
+TEST_F(HealthGuards, tell_all_threads_of_a_team_the_same) {
+    const double good = state.cells.x[40];
+    std::array<std::string, 3> told;
+    with_team(3, [&] {
+        for (const double x : {not_a_number, good}) {
+            if (team_rank() == 0) state.cells.x[40] = x;
+            team_barrier();
+            const std::string found = found_after_step();
+            told[team_rank()] += found + " ";
+        }
+    });
+    for (const std::string& words : told) EXPECT_EQ(words, "way of a node in one step nothing ");
 }
 
 TEST_F(HealthGuards, costly_checks_come_every_hundred_steps) {
