@@ -132,19 +132,17 @@ double node_length(const Outline& outline, int node) {
     return 0.5 * (norm(here - before) + norm(after - here));
 }
 
-double extent_at_height(const Outline& outline, double height) {
-    // Counter-clockwise, so the right side rises and the left side falls. A node on the line counts
-    // as above it, so that a line through nodes is crossed as often upwards as downwards.
-    const double origin = outline.x[0];
-    double extent = 0.0;
+std::vector<RowCrossing> row_crossings(const Outline& outline) {
+    std::vector<RowCrossing> found;
+    const auto row_below = [](double y) { return static_cast<int>(std::floor(y - 0.5)); };
     for (int k = 0; k < outline.size(); ++k) {
         const Vec2 a = outline[k], b = outline[next(outline, k)];
-        const bool a_above = a.y >= height, b_above = b.y >= height;
-        if (a_above == b_above) continue;
-        const double x = a.x - origin + (height - a.y) / (b.y - a.y) * (b.x - a.x);
-        extent += b_above ? x : -x;
+        const int turn = b.y > a.y ? 1 : -1;
+        const int last = row_below(std::max(a.y, b.y));
+        for (int row = row_below(std::min(a.y, b.y)) + 1; row <= last; ++row)
+            found.push_back({row, a.x + (row + 0.5 - a.y) / (b.y - a.y) * (b.x - a.x), turn});
     }
-    return extent;
+    return found;
 }
 
 }  // namespace tt

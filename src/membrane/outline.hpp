@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "membrane/suspension.hpp"
 
@@ -68,8 +69,16 @@ Vec2 outward_normal(const Outline& outline, int node);
 /// Half the length of the two segments that meet at node k: the node's share of the perimeter.
 double node_length(const Outline& outline, int node);
 
-/// Length of the line y = height that lies inside the outline, exact for the polygon; a line
-/// through nodes takes what lies just below it. Overlapping folds count by their winding number.
-double extent_at_height(const Outline& outline, double height);
+/// A place where an outline crosses the line through a row of sites, y = row + ½.
+struct RowCrossing {
+    int row;
+    double x;
+    int turn;  ///< +1 upwards, −1 downwards: the right and the left side
+};
+
+/// All of them, in the order of the nodes. A node on a line counts as above it, so that each line is
+/// crossed as often upwards as downwards; Σ turn x is the length of the line that lies inside,
+/// overlapping folds counted by their winding number. Exact for the polygon.
+std::vector<RowCrossing> row_crossings(const Outline& outline);
 
 }  // namespace tt

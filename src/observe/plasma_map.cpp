@@ -3,27 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "membrane/outline.hpp"
+
 namespace tt {
 namespace {
 
 int site_below(double x) { return static_cast<int>(std::floor(x - 0.5)); }
-
-/// Where an outline crosses the line y = height, from left to right, and which way.
-struct Crossing {
-    double x;
-    int turn;  ///< +1 upwards
-};
-std::vector<Crossing> crossings(const Outline& outline, double height) {
-    std::vector<Crossing> found;
-    for (int k = 0; k < outline.size(); ++k) {
-        const Vec2 a = outline[k], b = outline[k + 1 == outline.size() ? 0 : k + 1];
-        if ((a.y >= height) == (b.y >= height)) continue;
-        const double x = a.x + (height - a.y) / (b.y - a.y) * (b.x - a.x);
-        found.push_back({x, b.y > a.y ? 1 : -1});
-    }
-    std::sort(found.begin(), found.end(), [](Crossing a, Crossing b) { return a.x < b.x; });
-    return found;
-}
 
 }  // namespace
 
@@ -45,16 +30,18 @@ void PlasmaMap::mark_membrane(const Outline& outline, std::int32_t cell) {
 }
 
 void PlasmaMap::mark_interior(const Outline& outline) {
-    const auto [low, high] = std::minmax_element(outline.y.begin(), outline.y.end());
-    for (int j = site_below(*low); j <= site_below(*high); ++j) {
-        int winding = 0;
-        const std::vector<Crossing> row = crossings(outline, j + 0.5);
-        for (std::size_t n = 0; n + 1 < row.size(); ++n) {
-            winding += row[n].turn;
-            if (winding == 0) continue;
-            const int last = site_below(row[n + 1].x);
-            for (int i = site_below(row[n].x) + 1; i <= last; ++i) mark(i, j, taken);
-        }
+    std::vector<RowCrossing> crossings = row_crossings(outline);
+    std::sort(crossings.begin(), crossings.end(), [](const RowCrossing& a, const RowCrossing& b) {
+        return a.row != b.row ? a.row < b.row : a.x < b.x;
+    });
+    // From left to right every line enters and leaves: at its last crossing the winding is 0 again.
+    int winding = 0;
+    for (std::size_t n = 0; n + 1 < crossings.size(); ++n) {
+        winding += crossings[n].turn;
+        if (winding == 0) continue;
+        const int last = site_below(crossings[n + 1].x);
+        for (int i = site_below(crossings[n].x) + 1; i <= last; ++i)
+            mark(i, crossings[n].row, taken);
     }
 }
 

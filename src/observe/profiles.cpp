@@ -1,8 +1,5 @@
 #include "observe/profiles.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "membrane/outline.hpp"
 
 namespace tt {
@@ -10,15 +7,12 @@ namespace tt {
 std::vector<double> hematocrit_profile(const Lattice& lattice, const Suspension& cells) {
     std::vector<double> profile(static_cast<std::size_t>(lattice.ny), 0.0);
     for (int c = 0; c < cells.cell_count(); ++c) {
-        const Outline shape = outline(cells, c);
-        const auto [low, high] = std::minmax_element(shape.y.begin(), shape.y.end());
-        const int last = static_cast<int>(std::floor(*high - 0.5));
-        for (int j = static_cast<int>(std::ceil(*low - 0.5)); j <= last; ++j) {
-            const int row = lattice.walls ? j : wrapped(j, lattice.ny);
-            if (row < 0 || row >= lattice.ny) continue;
-            profile[row] += extent_at_height(shape, j + 0.5) / lattice.nx;
+        for (const RowCrossing& crossing : row_crossings(outline(cells, c))) {
+            const int row = lattice.walls ? crossing.row : wrapped(crossing.row, lattice.ny);
+            if (row >= 0 && row < lattice.ny) profile[row] += crossing.turn * crossing.x;
         }
     }
+    for (double& share : profile) share /= lattice.nx;
     return profile;
 }
 

@@ -9,7 +9,7 @@
 namespace tt {
 
 /// Share of each row's centre line that lies inside a cell, from the outlines themselves, not from
-/// the smoothed fraction of cytoplasm: Σ_cells extent(y_j)/nx. Exact for the polygons; the mean
+/// the smoothed fraction of cytoplasm: Σ_cells (length of the line inside)/nx. Exact for the polygons; the mean
 /// over rows is the tube hematocrit to second order (midpoint rule).
 std::vector<double> hematocrit_profile(const Lattice& lattice, const Suspension& cells);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -63,14 +64,25 @@ TEST(Outline, a_clockwise_outline_has_negative_area) {
     EXPECT_NEAR(signed_area(backwards), -4.0, 1e-14);
 }
 
-TEST(Outline, extent_at_a_height_is_exact_for_a_polygon) {
-    EXPECT_DOUBLE_EQ(extent_at_height(l_shape, 0.5), 3.0);
-    EXPECT_DOUBLE_EQ(extent_at_height(l_shape, 1.5), 1.0);
-    EXPECT_DOUBLE_EQ(extent_at_height(l_shape, -0.1), 0.0);
-    EXPECT_DOUBLE_EQ(extent_at_height(l_shape, 2.1), 0.0);
-    EXPECT_DOUBLE_EQ(extent_at_height(l_shape, 1.0), 3.0) << "through nodes: the side below";
+/// Length of the lines y = row + ½ inside a shape, row by row.
+std::map<int, double> lengths_inside(const Shape& shape) {
+    std::map<int, double> inside;
+    for (const RowCrossing& crossing : row_crossings(shape))
+        inside[crossing.row] += crossing.turn * crossing.x;
+    return inside;
+}
+
+TEST(Outline, crossings_of_rows_are_exact_for_a_polygon) {
+    using Lengths = std::map<int, double>;
+    EXPECT_EQ(lengths_inside(l_shape), (Lengths{{0, 3.0}, {1, 1.0}}));
     const Shape u_shape({{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}});
-    EXPECT_DOUBLE_EQ(extent_at_height(u_shape, 1.5), 2.0) << "two parts of a concave outline";
+    EXPECT_EQ(lengths_inside(u_shape), (Lengths{{0, 3.0}, {1, 2.0}})) << "two parts";
+    Shape on_nodes = l_shape;
+    for (double& y : on_nodes.y) y -= 0.5;
+    EXPECT_EQ(lengths_inside(on_nodes), (Lengths{{0, 3.0}, {1, 1.0}}))
+        << "through nodes: the side below";
+    for (const RowCrossing& crossing : row_crossings(l_shape))
+        EXPECT_EQ(crossing.turn, crossing.x > 0.0 ? 1 : -1);
 }
 
 TEST(Outline, measures_converge_to_those_of_an_ellipse_at_second_order) {
@@ -190,7 +202,9 @@ TEST(Outline, moving_a_cell_ten_boxes_away_changes_nothing) {
     EXPECT_NEAR(b.area, a.area, 1e-11);
     EXPECT_NEAR(b.centroid.x, a.centroid.x + 4096.0, 1e-11);
     EXPECT_NEAR(b.xy, a.xy, 1e-10);
-    EXPECT_NEAR(extent_at_height(far, 5.2), extent_at_height(near, 5.2), 1e-11);
+    const auto in_far = lengths_inside(far), in_near = lengths_inside(near);
+    ASSERT_EQ(in_far.size(), in_near.size());
+    for (const auto& [row, length] : in_near) EXPECT_NEAR(in_far.at(row), length, 1e-11);
 }
 
 }  // namespace
