@@ -76,8 +76,8 @@ struct RowCrossing {
     int turn;  ///< +1 upwards, −1 downwards: the right and the left side
 };
 
-/// All of them, in the order of the nodes. A node on a line counts as above it, so that each line is
-/// crossed as often upwards as downwards; Σ turn x is the length of the line that lies inside,
+/// All of them, in the order of the nodes. A node on a line counts as above it, so that each line
+/// is crossed as often upwards as downwards; Σ turn x is the length of the line that lies inside,
 /// overlapping folds counted by their winding number. Exact for the polygon.
 std::vector<RowCrossing> row_crossings(const Outline& outline);
 
