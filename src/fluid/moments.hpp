@@ -20,7 +20,7 @@ struct Moments {
 /// (`settle` leaves it so).
 Moments moments(const Populations& populations, int i, int j);
 
-/// Density deviations of the sites of row j.
+/// Density deviations of the sites of row j, those of `moments`.
 std::vector<double> density_deviations(const Populations& populations, int j);
 
 /// Sets every site to the equilibrium of the given velocity (zero: at rest) and of a density that

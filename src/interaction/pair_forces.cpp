@@ -144,6 +144,7 @@ void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspensi
                      ContactState& contact) {
     if (!(model.reach() > 0.0)) return;
     const Vec2 drift = update_pairs(model, lattice, cells, contact);
+    // These cells may be another thread's: it has set their membrane forces, update_pairs waited.
     const auto [first, past] = share_of_pairs(contact);
     for (int c = first; c < past; ++c) {
         CellContacts& mine = contact.cells[c];

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "base/random.hpp"
 #include "fluid/moments.hpp"
 
 namespace {
@@ -36,6 +37,26 @@ TEST(Moments, of_an_equilibrium_are_density_1_its_velocity_and_its_momentum_flux
         EXPECT_NEAR(m.xx, inertia * 0.03 * 0.03, 1e-16);
         EXPECT_NEAR(m.xy, inertia * 0.03 * -0.07, 1e-16);
         EXPECT_NEAR(m.yy, inertia * 0.07 * 0.07, 1e-16);
+    }
+}
+
+TEST(Moments, density_of_a_row_is_that_of_its_sites_in_either_phase_and_precision) {
+    Random random(4);
+    for (const Precision precision : {Precision::fp64, Precision::fp32}) {
+        Populations populations(Lattice{7, 3, true}, precision);
+        for (int k = 0; k < d2q9::count; ++k) {
+            for (int j = 0; j < 3; ++j)
+                for (int i = -1; i <= 7; ++i) populations.set_slot(k, i, j, random.uniform());
+        }
+        for (const auto phase : {Populations::Phase::even, Populations::Phase::odd}) {
+            populations.phase = phase;
+            for (int j = 0; j < 3; ++j) {
+                const std::vector<double> row = density_deviations(populations, j);
+                ASSERT_EQ(row.size(), 7u);
+                for (int i = 0; i < 7; ++i)
+                    EXPECT_EQ(row[i], moments(populations, i, j).density_deviation);
+            }
+        }
     }
 }
 
