@@ -180,7 +180,7 @@ void change_rows(const T& target, const Patch& now, const Patch& before, std::pa
     const int end =
         std::max(now.j + now.height, before.height == 0 ? now.j : before.j + before.height);
     for (int row = begin; row < end; ++row) {
-        const int j = lattice.walls ? row : wrapped(row, lattice.ny);
+        const int j = lattice.row_in_box(row);
         if (j < rows.first || j >= rows.second) continue;
         if (still)
             target.change_row(j, now.i, now.width, now.row(row - now.j), before.row(row - now.j));

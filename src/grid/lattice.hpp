@@ -8,6 +8,13 @@
 
 namespace tt {
 
+/// n modulo count, in 0 … count − 1; without a division where it is within one period of them.
+constexpr int wrapped(int n, int count) {
+    if (n < 0) n += count;
+    if (n >= count) n -= count;
+    return n >= 0 && n < count ? n : (n % count + count) % count;
+}
+
 /// The sites of a straight channel or box and how fields lay them out in memory.
 ///
 /// Site (i, j), 0 ≤ i < nx, 0 ≤ j < ny, stands at (i + ½, j + ½) in lattice units, so that the box
@@ -29,6 +36,8 @@ struct Lattice {
         return static_cast<std::size_t>((j + halo) * static_cast<std::ptrdiff_t>(pitch()) + margin +
                                         i);
     }
+    /// Row j brought back into the box where y is periodic; beyond a wall it stays outside.
+    constexpr int row_in_box(int j) const { return walls ? j : wrapped(j, ny); }
     static constexpr Vec2 position(int i, int j) { return {i + 0.5, j + 0.5}; }
     friend constexpr bool operator==(const Lattice&, const Lattice&) = default;
 };
@@ -43,13 +52,6 @@ inline std::pair<int, int> own_rows_with_halo(const Lattice& lattice) {
     if (begin == 0) begin -= Lattice::halo;
     if (end == lattice.ny) end += Lattice::halo;
     return {begin, end};
-}
-
-/// n modulo count, in 0 … count − 1; without a division where it is within one period of them.
-constexpr int wrapped(int n, int count) {
-    if (n < 0) n += count;
-    if (n >= count) n -= count;
-    return n >= 0 && n < count ? n : (n % count + count) % count;
 }
 
 }  // namespace tt

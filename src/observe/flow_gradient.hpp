@@ -23,7 +23,7 @@ public:
 
     /// Column and row brought back into the box; y only where it is periodic.
     int column(int i) const { return wrapped(i, lattice_.nx); }
-    int row(int j) const { return lattice_.walls ? j : wrapped(j, lattice_.ny); }
+    int row(int j) const { return lattice_.row_in_box(j); }
 
     /// At a site: central differences; in the rows next to a wall ∂u/∂y by the parabola through the
     /// wall and two sites. Second order, exact for a quadratic field.

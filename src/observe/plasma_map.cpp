@@ -47,7 +47,7 @@ void PlasmaMap::mark_interior(const Outline& outline) {
 
 void PlasmaMap::mark(int i, int j, std::int32_t cell) {
     const int column = wrapped(i, lattice_.nx);
-    const int row = lattice_.walls ? j : wrapped(j, lattice_.ny);
+    const int row = lattice_.row_in_box(j);
     if (row < 0 || row >= lattice_.ny) return;
     std::int32_t& mark = marks_[static_cast<std::size_t>(row) * lattice_.nx + column];
     mark = mark == plasma || mark == cell ? cell : taken;

@@ -8,7 +8,7 @@ std::vector<double> hematocrit_profile(const Lattice& lattice, const Suspension&
     std::vector<double> profile(static_cast<std::size_t>(lattice.ny), 0.0);
     for (int c = 0; c < cells.cell_count(); ++c) {
         for (const RowCrossing& crossing : row_crossings(outline(cells, c))) {
-            const int row = lattice.walls ? crossing.row : wrapped(crossing.row, lattice.ny);
+            const int row = lattice.row_in_box(crossing.row);
             if (row >= 0 && row < lattice.ny) profile[row] += crossing.turn * crossing.x;
         }
     }

@@ -46,9 +46,9 @@ private:
     std::optional<Instability> node_steps(const Model& model, const State& state) const;
 
     HealthLimits limits_;
-    std::vector<double> x_, y_;  ///< positions at the last call
-    std::atomic<bool> nodes_failed_{false};
-    std::optional<Instability> found_;
+    std::vector<double> x_, y_;              ///< positions at the last call
+    std::atomic<bool> nodes_failed_{false};  ///< of any thread, in this call
+    std::optional<Instability> found_;       ///< for all threads to tell
 };
 
 }  // namespace tt

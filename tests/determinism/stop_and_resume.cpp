@@ -71,7 +71,7 @@ void expect_same_results(const fs::path& a, const fs::path& b) {
     }
 }
 
-/// A tenth of a second and more: stops come after 20 to 50 ms.
+/// They take a tenth of a second and more; stops come after 20 to 50 ms.
 constexpr std::int64_t steps = 6001;
 
 TEST_F(StopAndResume, a_run_that_is_killed_again_and_again_ends_like_one_that_is_not) {
