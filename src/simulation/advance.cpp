@@ -41,7 +41,8 @@ void move_nodes(Suspension& cells, int cell) {
 
 }  // namespace
 
-void advance(const Model& m, State& s, Exchange& x, FlowKept kept, StepTimes* times) {
+void advance(const Model& m, State& s, Exchange& x, FlowKept kept, StepTimes* times,
+             Health* health) {
     const bool everywhere = kept == FlowKept::everywhere || drive_looks_at(m, s.step);
     const bool first_step = s.step == 0;
     // Kept near membranes only, the velocity of a site takes the place of the force on it, which
@@ -91,6 +92,11 @@ void advance(const Model& m, State& s, Exchange& x, FlowKept kept, StepTimes* ti
         average_in_time(s.cells, cell, first_step);
         if (m.membrane.hold_area) hold_area(s.cells, cell);
         move_nodes(s.cells, cell);
+    }
+    done(Pass::move);
+    if (health) {
+        health->watch_nodes(m, s.cells);
+        if (times) times->start();  // a check, no part of the step
     }
     on_one_thread([&] {
         hold_flow(m, s);

@@ -176,9 +176,7 @@ std::optional<Instability> Health::node_steps(const Model& model, const State& s
     return std::nullopt;
 }
 
-/// Are this thread's nodes where they may be? If so their positions are kept for the next time.
-bool Health::nodes_hold(const Model& model, const State& state) {
-    const Suspension& cells = state.cells;
+void Health::watch_nodes(const Model& model, const Suspension& cells) {
     const bool walls = model.lattice.walls;
     const auto [begin, end] = own_nodes(cells);
     const double *const x = cells.x.data(), *const y = cells.y.data();
@@ -186,15 +184,15 @@ bool Health::nodes_hold(const Model& model, const State& state) {
         count_faults({end - begin, x + begin, y + begin, x_.data() + begin, y_.data() + begin,
                       limits_.node_step * limits_.node_step, walls ? 0.0 : -farthest,
                       walls ? static_cast<double>(model.lattice.ny) : farthest});
-    if (faults > 0) return false;
+    if (faults > 0) {
+        nodes_failed_ = true;
+        return;  // what was good is kept to tell the way from
+    }
     std::copy(x + begin, x + end, x_.data() + begin);
     std::copy(y + begin, y + end, y_.data() + begin);
-    return true;
 }
 
 std::optional<Instability> Health::after_step(const Model& model, const State& state) {
-    if (!nodes_hold(model, state)) nodes_failed_ = true;
-    team_barrier();
     if (!nodes_failed_ && !looks_at_flow(state.step)) return std::nullopt;
     on_one_thread([&] {
         found_ = nodes_failed_ ? node_steps(model, state) : std::nullopt;

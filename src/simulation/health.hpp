@@ -28,9 +28,13 @@ public:
     /// Starts from the positions in `state`.
     Health(const HealthLimits& limits, const State& state);
 
-    /// To be called after every step. Cheap: way of each node since the last call, and its place
-    /// between the walls; every `interval` steps everything that `examine` looks at. What is wrong,
-    /// or nothing. Team function, by cells; waits at its end and tells all the same.
+    /// Looks at the nodes a step has moved: the way of each since the last call, and its place
+    /// between the walls. Cheap; `advance` calls it in every step. Team function, by cells.
+    void watch_nodes(const Model& model, const Suspension& cells);
+
+    /// After a step whose nodes were watched: what is wrong, or nothing; every `interval` steps
+    /// looks at everything that `examine` does. Team function that tells all the same; all threads
+    /// must have waited since they watched, as they do at the end of `advance`.
     std::optional<Instability> after_step(const Model& model, const State& state);
 
     /// Does `after_step` look at the velocity of all sites after this step?
@@ -42,12 +46,11 @@ public:
     std::optional<Instability> examine(const Model& model, const State& state) const;
 
 private:
-    bool nodes_hold(const Model& model, const State& state);
     std::optional<Instability> node_steps(const Model& model, const State& state) const;
 
     HealthLimits limits_;
     std::vector<double> x_, y_;              ///< positions at the last call
-    std::atomic<bool> nodes_failed_{false};  ///< of any thread, in this call
+    std::atomic<bool> nodes_failed_{false};  ///< of any thread, in this step
     std::optional<Instability> found_;       ///< for all threads to tell
 };
 

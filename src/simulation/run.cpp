@@ -13,24 +13,23 @@ void run_steps(const Model& model, State& state, Exchange& exchange, Health& hea
                std::int64_t until, Clock::time_point wake, StepTimes* times) {
     TT_EXPECTS(state.step < until);
     std::optional<Instability> fault;
-    bool last = false;
-    FlowKept kept = FlowKept::everywhere;
-    // Changes only between the barriers at the ends of advance and after_step, so that all threads
-    // read the same.
-    const auto look_ahead = [&] {
-        const std::int64_t next = state.step + 1;
-        last = next >= until || stop_requested() || Clock::now() >= wake;
-        kept = last || health.looks_at_flow(next) ? FlowKept::everywhere : FlowKept::near_membranes;
+    // Whether the step that leads to an odd or an even number is the last one. One thread decides
+    // while the step before is under way, so that all read the same after it.
+    bool last[2] = {};
+    const auto decide = [&](std::int64_t next) {
+        last[next % 2] = next >= until || stop_requested() || Clock::now() >= wake;
     };
-    look_ahead();
+    decide(state.step + 1);
     with_team(model.threads, [&] {
-        for (bool done = false; !done;) {
-            const bool was_last = last;
-            advance(model, state, exchange, kept, times);
-            if (team_rank() == 0) look_ahead();
+        for (std::int64_t next = state.step + 1;; ++next) {
+            const bool done = last[next % 2];
+            const bool looked_at = done || health.looks_at_flow(next);
+            if (team_rank() == 0) decide(next + 1);
+            advance(model, state, exchange,
+                    looked_at ? FlowKept::everywhere : FlowKept::near_membranes, times, &health);
             const auto found = health.after_step(model, state);
             if (found && team_rank() == 0) fault = found;
-            done = found || was_last;
+            if (found || done) break;
         }
     });
     if (fault) throw SimulationError(*fault);

@@ -26,7 +26,7 @@ public:
     static constexpr std::array<const char*, 7> names{"membrane",  "contact", "locate", "spread",
                                                       "viscosity", "fluid",   "move"};
 
-    /// Begins a step.
+    /// Begins a step, or goes on with it: what passed since the lap before is spent on no pass.
     void start() {
         if (team_rank() == 0) last_ = Clock::now();
     }

@@ -21,8 +21,13 @@ protected:
     State state = small_state(model);
     Health health{HealthLimits{}, state};
 
+    std::optional<Instability> after_step() {
+        health.watch_nodes(model, state.cells);
+        team_barrier();
+        return health.after_step(model, state);
+    }
     std::string found_after_step() {
-        const auto fault = health.after_step(model, state);
+        const auto fault = after_step();
         return fault ? fault->quantity : "nothing";
     }
     std::string found() {
@@ -38,7 +43,7 @@ TEST_F(HealthGuards, find_nothing_in_a_good_state) {
 
 TEST_F(HealthGuards, see_a_node_that_is_not_a_number_at_once) {
     state.cells.y[40] = not_a_number;
-    const auto fault = health.after_step(model, state);
+    const auto fault = after_step();
     ASSERT_TRUE(fault.has_value());
     EXPECT_EQ(fault->cell, 1);
     EXPECT_EQ(fault->node, 4);
