@@ -46,6 +46,11 @@ private:
     std::vector<double, CacheAligned<double>> values_;
 };
 
+/// Sum over the sites of row j, over all sites. In a fixed order, eight sites of a row side by
+/// side.
+double sum_of_row(const Field& field, int j);
+double sum_over_sites(const Field& field);
+
 /// A vector per site, as two fields.
 struct VectorField {
     Field x;

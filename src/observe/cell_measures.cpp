@@ -18,16 +18,28 @@ std::span<const double> of_cell(const std::vector<double>& values, const Suspens
                                      static_cast<std::size_t>(cells.node_count(cell)));
 }
 
-void measure_place(const Model& model, const State& state, int cell, CellMeasures& m) {
+/// Mean over the nodes of their angular velocity about the centroid.
+double turning_rate(const Outline& outline, std::span<const double> ux, std::span<const double> uy,
+                    Vec2 centre, Vec2 drift) {
+    double sum = 0.0;
+    for (int k = 0; k < outline.size(); ++k) {
+        const Vec2 arm = outline[k] - centre;
+        sum += cross(arm, Vec2{ux[k], uy[k]} - drift) / dot(arm, arm);
+    }
+    return sum / outline.size();
+}
+
+void measure_place(const Model& model, const State& state, int cell, const AreaMoments& moments,
+                   CellMeasures& m) {
     const Suspension& cells = state.cells;
     const Outline shape = outline(cells, cell);
     const auto ux = of_cell(cells.ux, cells, cell), uy = of_cell(cells.uy, cells, cell);
-    const Vec2 centroid = area_moments(shape).centroid;
+    const Vec2 centroid = moments.centroid, velocity = centroid_velocity(shape, ux, uy);
     const Scales& scales = model.scales;
     m.x = scales.to_si<Length>(centroid.x);
     m.y = scales.to_si<Length>(centroid.y);
-    m.velocity = scales.to_si<Velocity>(centroid_velocity(shape, ux, uy).x);
-    m.phase_rate = scales.to_si<Rate>(tank_treading_rate(shape, ux, uy));
+    m.velocity = scales.to_si<Velocity>(velocity.x);
+    m.phase_rate = scales.to_si<Rate>(turning_rate(shape, ux, uy, centroid, velocity));
     m.wall_distance.si = std::numeric_limits<double>::quiet_NaN();
     if (model.lattice.walls) {
         const auto [low, high] = std::minmax_element(shape.y.begin(), shape.y.end());
@@ -35,9 +47,9 @@ void measure_place(const Model& model, const State& state, int cell, CellMeasure
     }
 }
 
-void measure_shape(const Scales& scales, const Suspension& cells, int cell, CellMeasures& m) {
+void measure_shape(const Scales& scales, const Suspension& cells, int cell,
+                   const AreaMoments& moments, CellMeasures& m) {
     const Outline shape = outline(cells, cell);
-    const AreaMoments moments = area_moments(shape);
     const EquivalentEllipse ellipse = equivalent_ellipse(moments);
     const RadiusRange radii = radius_range(shape, moments.centroid);
     const double length = perimeter(shape);
@@ -82,14 +94,8 @@ void measure_stress(const Model& model, const State& state, const PlasmaMap& pla
 
 double tank_treading_rate(const Outline& outline, std::span<const double> ux,
                           std::span<const double> uy) {
-    const Vec2 centre = area_moments(outline).centroid;
-    const Vec2 drift = centroid_velocity(outline, ux, uy);
-    double sum = 0.0;
-    for (int k = 0; k < outline.size(); ++k) {
-        const Vec2 arm = outline[k] - centre;
-        sum += cross(arm, Vec2{ux[k], uy[k]} - drift) / dot(arm, arm);
-    }
-    return sum / outline.size();
+    return turning_rate(outline, ux, uy, area_moments(outline).centroid,
+                        centroid_velocity(outline, ux, uy));
 }
 
 CellMeasures measure_cell(const Model& model, const State& state, const PlasmaMap& plasma,
@@ -97,8 +103,9 @@ CellMeasures measure_cell(const Model& model, const State& state, const PlasmaMa
     CellMeasures m;
     m.time = Time{static_cast<double>(state.step) * model.scales.time};
     m.cell = cell;
-    measure_place(model, state, cell, m);
-    measure_shape(model.scales, state.cells, cell, m);
+    const AreaMoments moments = area_moments(outline(state.cells, cell));
+    measure_place(model, state, cell, moments, m);
+    measure_shape(model.scales, state.cells, cell, moments, m);
     measure_stretch(state.cells, cell, m);
     measure_stress(model, state, plasma, cell, m);
     return m;

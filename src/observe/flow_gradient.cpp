@@ -13,7 +13,7 @@ VelocityGradient mixed(const VelocityGradient& a, const VelocityGradient& b, dou
 
 }  // namespace
 
-VelocityGradient FlowView::at_site(int i, int j) const {
+VelocityGradient FlowView::at_edge(int i, int j) const {
     const Vec2 by_x = 0.5 * (velocity_(column(i + 1), j) - velocity_(column(i - 1), j));
     // The wall stands half a site off: derivative of the parabola through −½, 0 and 1.
     if (lattice_.walls && j == 0) {

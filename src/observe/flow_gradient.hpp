@@ -1,7 +1,8 @@
 #pragma once
 
-#include "base/vec2.hpp"
+#include <cstddef>
 
+#include "base/vec2.hpp"
 #include "fluid/boundaries.hpp"
 #include "fluid/relaxation.hpp"
 #include "grid/field.hpp"
@@ -19,7 +20,12 @@ struct VelocityGradient {
 class FlowView {
 public:
     FlowView(const VectorField& velocity, const Boundaries& boundaries)
-        : velocity_(velocity), boundaries_(boundaries), lattice_(velocity.x.lattice()) {}
+        : velocity_(velocity),
+          boundaries_(boundaries),
+          lattice_(velocity.x.lattice()),
+          x_(velocity.x.row(0)),
+          y_(velocity.y.row(0)),
+          pitch_(lattice_.pitch()) {}
 
     /// Column and row brought back into the box; y only where it is periodic.
     int column(int i) const { return wrapped(i, lattice_.nx); }
@@ -27,7 +33,10 @@ public:
 
     /// At a site: central differences; in the rows next to a wall ∂u/∂y by the parabola through the
     /// wall and two sites. Second order, exact for a quadratic field.
-    VelocityGradient at_site(int i, int j) const;
+    VelocityGradient at_site(int i, int j) const {
+        const bool inside = i > 0 && i + 1 < lattice_.nx && j > 0 && j + 1 < lattice_.ny;
+        return inside ? central(i, j) : at_edge(i, j);
+    }
 
     /// Bilinear between the four sites around `position`, from the 12 sites of `at_site` there.
     /// Exact for a quadratic field. Precondition: with walls, ½ ≤ y ≤ ny − ½.
@@ -38,9 +47,19 @@ public:
     double at_top_wall(int i) const;
 
 private:
+    VelocityGradient central(int i, int j) const {
+        const double* const x = x_ + j * pitch_ + i;
+        const double* const y = y_ + j * pitch_ + i;
+        return {{0.5 * (x[1] - x[-1]), 0.5 * (y[1] - y[-1])},
+                {0.5 * (x[pitch_] - x[-pitch_]), 0.5 * (y[pitch_] - y[-pitch_])}};
+    }
+    VelocityGradient at_edge(int i, int j) const;
+
     const VectorField& velocity_;
     const Boundaries& boundaries_;
     const Lattice& lattice_;
+    const double *x_, *y_;  ///< at site (0, 0)
+    std::ptrdiff_t pitch_;
 };
 
 /// Largest shear rate at a place, in whatever direction: the difference of the principal rates of

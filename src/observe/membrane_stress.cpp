@@ -15,20 +15,10 @@ constexpr double first_distance = 3.0;
 constexpr double second_distance = 5.0;
 
 /// Whether all sites that FlowView::at reads are plasma, undisturbed by other cells.
-bool can_sample(const Lattice& lattice, const FlowView& flow, const PlasmaMap& plasma,
-                Vec2 position, int cell) {
+bool can_sample(const Lattice& lattice, const PlasmaMap& plasma, Vec2 position, int cell) {
     if (lattice.walls && (position.y < 0.5 || position.y > lattice.ny - 0.5)) return false;
-    const int left = static_cast<int>(std::floor(position.x - 0.5));
-    const int below = static_cast<int>(std::floor(position.y - 0.5));
-    for (int dj = -1; dj <= 2; ++dj) {
-        const int j = flow.row(below + dj);
-        if (j < 0 || j >= lattice.ny) continue;  // the wall is read instead
-        const bool outer = dj == -1 || dj == 2;  // corners of the 4 × 4 block are not read
-        for (int di = outer ? 0 : -1; di <= (outer ? 1 : 2); ++di) {
-            if (!plasma.clear_of_others(flow.column(left + di), j, cell)) return false;
-        }
-    }
-    return true;
+    return plasma.clear_around(static_cast<int>(std::floor(position.x - 0.5)),
+                               static_cast<int>(std::floor(position.y - 0.5)), cell);
 }
 
 /// t·(∇u + ∇uᵀ)·n with t = n turned left.
@@ -47,7 +37,7 @@ MembraneStress membrane_stress(const Model& model, const State& state, const Pla
     const auto shear_rate = [&](int node, double distance) -> std::optional<double> {
         const Vec2 n = outward_normal(shape, node);
         const Vec2 position = shape[node] + distance * n;
-        if (!can_sample(lattice, flow, plasma, position, cell)) return std::nullopt;
+        if (!can_sample(lattice, plasma, position, cell)) return std::nullopt;
         return tangential_shear_rate(flow.at(position), n);
     };
     double traction = -1.0, principal = 0.0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "membrane/outline.hpp"
 
@@ -21,10 +22,20 @@ PlasmaMap::PlasmaMap(const Lattice& lattice, const Suspension& cells)
 }
 
 void PlasmaMap::mark_membrane(const Outline& outline, std::int32_t cell) {
+    const auto corner = [&](int k) {
+        return std::pair{site_below(outline.x[k]), site_below(outline.y[k])};
+    };
     for (int k = 0; k < outline.size(); ++k) {
-        const int i = site_below(outline.x[k]), j = site_below(outline.y[k]);
+        const auto [i, j] = corner(k);
+        if (k > 0 && corner(k - 1) == std::pair{i, j}) continue;  // marked for its neighbour
+        const bool inside = holds_block(i - 1, j - 1);
         for (int dj = -1; dj <= 2; ++dj) {
-            for (int di = -1; di <= 2; ++di) mark(i + di, j + dj, cell);
+            if (inside) {
+                std::int32_t* const marks = at(i - 1, j + dj);
+                for (int n = 0; n < 4; ++n) marks[n] = marked(marks[n], cell);
+            } else {
+                for (int di = -1; di <= 2; ++di) mark(i + di, j + dj, cell);
+            }
         }
     }
 }
@@ -46,11 +57,29 @@ void PlasmaMap::mark_interior(const Outline& outline) {
 }
 
 void PlasmaMap::mark(int i, int j, std::int32_t cell) {
-    const int column = wrapped(i, lattice_.nx);
-    const int row = lattice_.row_in_box(j);
-    if (row < 0 || row >= lattice_.ny) return;
-    std::int32_t& mark = marks_[static_cast<std::size_t>(row) * lattice_.nx + column];
-    mark = mark == plasma || mark == cell ? cell : taken;
+    j = lattice_.row_in_box(j);
+    if (j < 0 || j >= lattice_.ny) return;
+    std::int32_t& mark = *at(wrapped(i, lattice_.nx), j);
+    mark = marked(mark, cell);
+}
+
+bool PlasmaMap::clear_around(int i, int j, int cell) const {
+    const bool inside = holds_block(i - 1, j - 1);
+    for (int dj = -1; dj <= 2; ++dj) {
+        const bool outer = dj == -1 || dj == 2;
+        const int begin = outer ? 0 : -1, end = outer ? 2 : 3;
+        if (inside) {
+            const std::int32_t* const marks = at(i, j + dj);
+            for (int di = begin; di < end; ++di)
+                if (!clear(marks[di], cell)) return false;
+            continue;
+        }
+        const int row = lattice_.row_in_box(j + dj);
+        if (row < 0 || row >= lattice_.ny) continue;
+        for (int di = begin; di < end; ++di)
+            if (!clear_of_others(wrapped(i + di, lattice_.nx), row, cell)) return false;
+    }
+    return true;
 }
 
 }  // namespace tt

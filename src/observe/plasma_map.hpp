@@ -17,18 +17,35 @@ public:
 
     /// Plasma beyond the reach of every membrane other than that of `cell`. Walls are no concern
     /// here.
-    bool clear_of_others(int i, int j, int cell) const {
-        const std::int32_t mark = marks_[static_cast<std::size_t>(j) * lattice_.nx + i];
-        return mark == plasma || mark == cell;
-    }
+    bool clear_of_others(int i, int j, int cell) const { return clear(*at(i, j), cell); }
+
+    /// The same of all sites that FlowView::at reads where (i, j) is the last site before a
+    /// position along x and along y: the 4 × 4 block from (i − 1, j − 1) but for its corners. Any i
+    /// and j; what lies beyond a wall is not asked.
+    bool clear_around(int i, int j, int cell) const;
 
 private:
     static constexpr std::int32_t plasma = -1;
     static constexpr std::int32_t taken = -2;  ///< inside a cell, or near the membranes of two
 
+    static bool clear(std::int32_t mark, int cell) { return mark == plasma || mark == cell; }
+    /// Does the box hold the 4 × 4 block from (i, j)?
+    bool holds_block(int i, int j) const {
+        return i >= 0 && i + 4 <= lattice_.nx && j >= 0 && j + 4 <= lattice_.ny;
+    }
+    const std::int32_t* at(int i, int j) const {
+        return marks_.data() + static_cast<std::ptrdiff_t>(j) * lattice_.nx + i;
+    }
+    std::int32_t* at(int i, int j) {
+        return marks_.data() + static_cast<std::ptrdiff_t>(j) * lattice_.nx + i;
+    }
+
     void mark_membrane(const Outline& outline, std::int32_t cell);
     void mark_interior(const Outline& outline);
     void mark(int i, int j, std::int32_t cell);
+    static std::int32_t marked(std::int32_t mark, std::int32_t cell) {
+        return clear(mark, cell) ? cell : taken;
+    }
 
     Lattice lattice_;
     std::vector<std::int32_t> marks_;  ///< plasma, taken, or the one cell whose membrane is near

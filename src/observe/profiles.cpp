@@ -19,10 +19,8 @@ std::vector<double> hematocrit_profile(const Lattice& lattice, const Suspension&
 Profiles measure_profiles(const Model& model, const State& state) {
     Profiles profiles;
     for (int j = 0; j < model.lattice.ny; ++j) {
-        const double* row = state.velocity.x.row(j);
-        double sum = 0.0;
-        for (int i = 0; i < model.lattice.nx; ++i) sum += row[i];
-        profiles.velocity.push_back(model.scales.to_si<Velocity>(sum / model.lattice.nx).si);
+        const double mean = sum_of_row(state.velocity.x, j) / model.lattice.nx;
+        profiles.velocity.push_back(model.scales.to_si<Velocity>(mean).si);
     }
     profiles.hematocrit = hematocrit_profile(model.lattice, state.cells);
     return profiles;

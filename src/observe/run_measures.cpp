@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/isa.hpp"
+#include "base/lesser.hpp"
 #include "observe/cell_free_layer.hpp"
 #include "observe/flow_gradient.hpp"
 #include "observe/profiles.hpp"
@@ -34,16 +36,6 @@ WallStress stress_at_walls(const Model& model, const State& state) {
     return {sum.bottom / nx, sum.top / nx};
 }
 
-double sum_over_sites(const Field& field) {
-    double sum = 0.0;
-    for (int j = 0; j < field.lattice().ny; ++j) {
-        double of_row = 0.0;
-        for (int i = 0; i < field.lattice().nx; ++i) of_row += field(i, j);
-        sum += of_row;
-    }
-    return sum;
-}
-
 void measure_flow(const Model& model, const State& state, RunMeasures& m) {
     const Scales& scales = model.scales;
     const double width = model.lattice.ny;
@@ -71,14 +63,18 @@ void measure_flow(const Model& model, const State& state, RunMeasures& m) {
     m.mu_rel = viscosity / model.viscosity.plasma;
 }
 
+TT_CLONES double largest_square(const double* x, const double* y, int count) {
+    double largest = 0.0;
+#pragma omp simd reduction(max : largest)
+    for (int i = 0; i < count; ++i) largest = greater(largest, x[i] * x[i] + y[i] * y[i]);
+    return largest;
+}
+
 double largest_speed(const VectorField& velocity) {
-    double square = 0.0;
     const Lattice& lattice = velocity.x.lattice();
-    for (int j = 0; j < lattice.ny; ++j) {
-        for (int i = 0; i < lattice.nx; ++i) {
-            square = std::max(square, dot(velocity(i, j), velocity(i, j)));
-        }
-    }
+    double square = 0.0;
+    for (int j = 0; j < lattice.ny; ++j)
+        square = std::max(square, largest_square(velocity.x.row(j), velocity.y.row(j), lattice.nx));
     return std::sqrt(square);
 }
 
