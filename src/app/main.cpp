@@ -1,3 +1,24 @@
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 #include "app/command_line.hpp"
 
-int main(int argc, char** argv) { return tt::run_command_line(argc, argv); }
+namespace {
+
+/// Memory that a look or a frame has given back is kept for the next: to get pages from the system
+/// anew takes as long as to fill them.
+void keep_memory() {
+#if defined(__GLIBC__)
+    constexpr int megabyte = 1 << 20;
+    mallopt(M_MMAP_THRESHOLD, 32 * megabyte);
+    mallopt(M_TRIM_THRESHOLD, 256 * megabyte);
+#endif
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    keep_memory();
+    return tt::run_command_line(argc, argv);
+}

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -38,10 +39,11 @@ std::string csv_row(const Row& row) {
     for_each_field<Row>([&](const auto& entry) {
         using T = std::remove_cvref_t<decltype(row.*entry.member)>;
         if (!text.empty()) text += ',';
+        const auto end = std::back_inserter(text);
         if constexpr (requires { T::dimension; }) {
-            text += fmt::format("{}", (row.*entry.member).si);
+            fmt::format_to(end, "{}", (row.*entry.member).si);
         } else {
-            text += fmt::format("{}", row.*entry.member);
+            fmt::format_to(end, "{}", row.*entry.member);
         }
     });
     return text + '\n';

@@ -116,9 +116,11 @@ CellMeasures measure_cell(const Model& model, const State& state, int cell) {
 }
 
 std::vector<CellMeasures> measure_cells(const Model& model, const State& state) {
-    const PlasmaMap plasma(model.lattice, state.cells);
+    PlasmaMap plasma(model.lattice);
     std::vector<CellMeasures> all(static_cast<std::size_t>(state.cells.cell_count()));
     with_team(model.threads, [&] {
+        plasma.mark(state.cells);
+        team_barrier();
         const auto [begin, end] = own_cells(state.cells);
         for (int c = begin; c < end; ++c) all[c] = measure_cell(model, state, plasma, c);
     });

@@ -35,20 +35,24 @@ Frame frame_of(const Snapshot& snapshot) {
     frame.node_force = interleaved(state.cells.fx, state.cells.fy, scales.unit(Tension::dimension));
     frame.node_velocity = interleaved(state.cells.ux, state.cells.uy, speed);
     const std::size_t sites = static_cast<std::size_t>(lattice.nx) * lattice.ny;
-    frame.velocity.reserve(2 * sites);
-    frame.pressure.reserve(sites);
-    frame.cytoplasm.reserve(sites);
+    frame.velocity.resize(2 * sites);
+    frame.pressure.resize(sites);
+    frame.cytoplasm.resize(sites);
     // A run without cells has no field of cytoplasm.
     const bool cells = state.interior.fraction.size() > 0;
     for (int j = 0; j < lattice.ny; ++j) {
         const std::vector<double> density_deviation = density_deviations(state.populations, j);
+        const double *const ux = state.velocity.x.row(j), *const uy = state.velocity.y.row(j);
+        const std::size_t row = static_cast<std::size_t>(j) * lattice.nx;
         for (int i = 0; i < lattice.nx; ++i) {
-            frame.velocity.push_back(static_cast<float>(state.velocity.x(i, j) * speed));
-            frame.velocity.push_back(static_cast<float>(state.velocity.y(i, j) * speed));
-            frame.pressure.push_back(static_cast<float>(density_deviation[i] * pressure));
-            frame.cytoplasm.push_back(cells ? static_cast<float>(state.interior.fraction(i, j))
-                                            : 0.0f);
+            frame.velocity[2 * (row + i)] = static_cast<float>(ux[i] * speed);
+            frame.velocity[2 * (row + i) + 1] = static_cast<float>(uy[i] * speed);
+            frame.pressure[row + i] = static_cast<float>(density_deviation[i] * pressure);
         }
+        if (!cells) continue;
+        const double* const fraction = state.interior.fraction.row(j);
+        for (int i = 0; i < lattice.nx; ++i)
+            frame.cytoplasm[row + i] = static_cast<float>(fraction[i]);
     }
     return frame;
 }

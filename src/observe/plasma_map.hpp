@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "grid/lattice.hpp"
@@ -13,7 +14,13 @@ namespace tt {
 /// measurement, linear in the number of nodes and of sites covered by cells.
 class PlasmaMap {
 public:
-    PlasmaMap(const Lattice& lattice, const Suspension& cells);
+    /// Nothing but plasma.
+    explicit PlasmaMap(const Lattice& lattice)
+        : lattice_(lattice), marks_(static_cast<std::size_t>(lattice.nx) * lattice.ny, plasma) {}
+    PlasmaMap(const Lattice& lattice, const Suspension& cells) : PlasmaMap(lattice) { mark(cells); }
+
+    /// Marks what is not. Team function, by rows of sites.
+    void mark(const Suspension& cells);
 
     /// Plasma beyond the reach of every membrane other than that of `cell`. Walls are no concern
     /// here.
@@ -29,10 +36,6 @@ private:
     static constexpr std::int32_t taken = -2;  ///< inside a cell, or near the membranes of two
 
     static bool clear(std::int32_t mark, int cell) { return mark == plasma || mark == cell; }
-    /// Does the box hold the 4 × 4 block from (i, j)?
-    bool holds_block(int i, int j) const {
-        return i >= 0 && i + 4 <= lattice_.nx && j >= 0 && j + 4 <= lattice_.ny;
-    }
     const std::int32_t* at(int i, int j) const {
         return marks_.data() + static_cast<std::ptrdiff_t>(j) * lattice_.nx + i;
     }
@@ -40,9 +43,9 @@ private:
         return marks_.data() + static_cast<std::ptrdiff_t>(j) * lattice_.nx + i;
     }
 
-    void mark_membrane(const Outline& outline, std::int32_t cell);
-    void mark_interior(const Outline& outline);
-    void mark(int i, int j, std::int32_t cell);
+    using Rows = std::pair<int, int>;  ///< [first, second)
+    void mark_membrane(const Outline& outline, std::int32_t cell, Rows rows);
+    void mark_interior(const Outline& outline, Rows rows);
     static std::int32_t marked(std::int32_t mark, std::int32_t cell) {
         return clear(mark, cell) ? cell : taken;
     }

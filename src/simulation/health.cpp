@@ -17,6 +17,8 @@
 namespace tt {
 namespace {
 
+using Range = std::pair<int, int>;  ///< [first, second)
+
 const char* const smaller_step =
     "a smaller dt (or a lower density_scale), a finer node spacing, or a softer membrane";
 
@@ -78,10 +80,10 @@ TT_CLONES int count_faults(const NodesWatched& watched) {
 }
 
 /// Every node finite and, where there are walls, between them.
-std::optional<Instability> node_places(const Model& model, const State& state) {
+std::optional<Instability> node_places(const Model& model, const State& state, Range of_cells) {
     const Suspension& cells = state.cells;
     const double height = model.lattice.ny;
-    for (int n = 0; n < cells.node_count(); ++n) {
+    for (int n = cells.first[of_cells.first]; n < cells.first[of_cells.second]; ++n) {
         const double x = cells.x[n];
         const double y = cells.y[n];
         const bool known = std::abs(x) < farthest && std::abs(y) < farthest;
@@ -105,13 +107,12 @@ TT_CLONES int count_too_fast(const double* ux, const double* uy, int count, doub
     return faults;
 }
 
-std::optional<Instability> speeds(const Model& model, const State& state, double mach) {
-    const Lattice& lattice = model.lattice;
+std::optional<Instability> speeds(const Model& model, const State& state, double mach, Range rows) {
     const double limit = mach * mach * d2q9::sound_speed_squared;
-    for (int j = 0; j < lattice.ny; ++j) {
+    for (int j = rows.first; j < rows.second; ++j) {
         const double* const ux = state.velocity.x.row(j);
         const double* const uy = state.velocity.y.row(j);
-        if (count_too_fast(ux, uy, lattice.nx, limit) == 0) continue;
+        if (count_too_fast(ux, uy, model.lattice.nx, limit) == 0) continue;
         int i = 0;
         while (ux[i] * ux[i] + uy[i] * uy[i] < limit) ++i;
         const double value = std::sqrt((ux[i] * ux[i] + uy[i] * uy[i]) / d2q9::sound_speed_squared);
@@ -124,9 +125,10 @@ std::optional<Instability> speeds(const Model& model, const State& state, double
     return std::nullopt;
 }
 
-std::optional<Instability> areas(const Model& model, const State& state, double limit) {
+std::optional<Instability> areas(const Model& model, const State& state, double limit,
+                                 Range of_cells) {
     const Suspension& cells = state.cells;
-    for (int c = 0; c < cells.cell_count(); ++c) {
+    for (int c = of_cells.first; c < of_cells.second; ++c) {
         const double error = signed_area(outline(cells, c)) / cells.reference_area[c] - 1.0;
         if (std::abs(error) < limit) continue;
         const char* const quantity =
@@ -140,9 +142,9 @@ std::optional<Instability> areas(const Model& model, const State& state, double 
     return std::nullopt;
 }
 
-std::optional<Instability> crossings(const Model& model, const State& state) {
+std::optional<Instability> crossings(const Model& model, const State& state, Range of_cells) {
     const Suspension& cells = state.cells;
-    for (int c = 0; c < cells.cell_count(); ++c) {
+    for (int c = of_cells.first; c < of_cells.second; ++c) {
         const auto crossing = self_crossing(outline(cells, c));
         if (!crossing) continue;
         const std::string quantity =
@@ -193,20 +195,31 @@ void Health::watch_nodes(const Model& model, const Suspension& cells) {
 }
 
 std::optional<Instability> Health::after_step(const Model& model, const State& state) {
-    if (!nodes_failed_ && !looks_at_flow(state.step)) return std::nullopt;
+    if (!nodes_failed_) {
+        if (!looks_at_flow(state.step)) return std::nullopt;
+        const Share own{own_rows(model.lattice), own_cells(state.cells)};
+        if (examine(model, state, own)) failed_ = true;
+        team_barrier();
+        if (!failed_) return std::nullopt;
+    }
     on_one_thread([&] {
         found_ = nodes_failed_ ? node_steps(model, state) : std::nullopt;
         if (!found_) found_ = examine(model, state);
     });
-    if (team_rank() == 0) nodes_failed_ = false;  // all have read it
+    if (team_rank() == 0) nodes_failed_ = failed_ = false;  // all have read them
     return found_;
 }
 
 std::optional<Instability> Health::examine(const Model& model, const State& state) const {
-    if (auto found = node_places(model, state)) return found;
-    if (auto found = speeds(model, state, limits_.mach)) return found;
-    if (auto found = areas(model, state, limits_.area_error)) return found;
-    return crossings(model, state);
+    return examine(model, state, {{0, model.lattice.ny}, {0, state.cells.cell_count()}});
+}
+
+std::optional<Instability> Health::examine(const Model& model, const State& state,
+                                           const Share& share) const {
+    if (auto found = node_places(model, state, share.cells)) return found;
+    if (auto found = speeds(model, state, limits_.mach, share.rows)) return found;
+    if (auto found = areas(model, state, limits_.area_error, share.cells)) return found;
+    return crossings(model, state, share.cells);
 }
 
 }  // namespace tt

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -46,11 +47,18 @@ public:
     std::optional<Instability> examine(const Model& model, const State& state) const;
 
 private:
+    /// Rows of sites and cells to look at.
+    struct Share {
+        std::pair<int, int> rows, cells;
+    };
     std::optional<Instability> node_steps(const Model& model, const State& state) const;
+    std::optional<Instability> examine(const Model& model, const State& state,
+                                       const Share& share) const;
 
     HealthLimits limits_;
     std::vector<double> x_, y_;              ///< positions at the last call
     std::atomic<bool> nodes_failed_{false};  ///< of any thread, in this step
+    std::atomic<bool> failed_{false};        ///< the same of everything
     std::optional<Instability> found_;       ///< for all threads to tell
 };
 

@@ -113,6 +113,21 @@ TEST_F(HealthGuards, tell_all_threads_of_a_team_the_same) {
     for (const std::string& words : told) EXPECT_EQ(words, "way of a node in one step nothing ");
 }
 
+TEST_F(HealthGuards, tell_all_threads_of_a_team_what_one_found_in_its_share) {
+    const int top = model.lattice.ny - 1;
+    std::array<std::string, 3> told;
+    state.step = 200;
+    with_team(3, [&] {
+        for (const double speed : {0.5, 0.0}) {
+            if (team_rank() == 0) state.velocity.x(7, top) = speed;
+            team_barrier();
+            told[team_rank()] += found_after_step() + ";";
+        }
+    });
+    for (const std::string& words : told)
+        EXPECT_EQ(words, "Mach number at site (7, " + std::to_string(top) + ");nothing;");
+}
+
 TEST_F(HealthGuards, costly_checks_come_every_hundred_steps) {
     state.velocity.x(1, 1) = 1.0;
     state.step = 199;
