@@ -172,7 +172,6 @@ void CaseRun::record(const std::string& phase) {
 }
 
 void CaseRun::observe() {
-    if (auto fault = health_->examine(model_, state_)) throw SimulationError(*fault);
     const Snapshot snapshot(model_, state_);
     for (const auto& observer : observers_) {
         if (observer->schedule().due(state_.step) || at_end()) observer->observe(snapshot);

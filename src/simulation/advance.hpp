@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "exchange/exchange.hpp"
 #include "simulation/health.hpp"
 #include "simulation/model.hpp"
@@ -9,9 +7,6 @@
 #include "simulation/step_times.hpp"
 
 namespace tt {
-
-/// Where a step leaves the fluid's velocity for others to look at. Nothing else depends on it.
-enum class FlowKept : std::uint8_t { everywhere, near_membranes };
 
 /// One time step, in the order of the paper: a team function. A function of Model and State alone;
 /// the same bits for any number of threads. Adds to `times`, if given, what each pass took; lets

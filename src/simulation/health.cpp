@@ -194,9 +194,10 @@ void Health::watch_nodes(const Model& model, const Suspension& cells) {
     std::copy(y + begin, y + end, y_.data() + begin);
 }
 
-std::optional<Instability> Health::after_step(const Model& model, const State& state) {
+std::optional<Instability> Health::after_step(const Model& model, const State& state,
+                                              FlowKept kept) {
     if (!nodes_failed_) {
-        if (!looks_at_flow(state.step)) return std::nullopt;
+        if (kept != FlowKept::everywhere) return std::nullopt;
         const Share own{own_rows(model.lattice), own_cells(state.cells)};
         if (examine(model, state, own)) failed_ = true;
         team_barrier();

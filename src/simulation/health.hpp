@@ -33,13 +33,13 @@ public:
     /// between the walls. Cheap; `advance` calls it in every step. Team function, by cells.
     void watch_nodes(const Model& model, const Suspension& cells);
 
-    /// After a step whose nodes were watched: what is wrong, or nothing; every `interval` steps
-    /// looks at everything that `examine` does. Team function that tells all the same; all threads
-    /// must have waited since they watched, as they do at the end of `advance`.
-    std::optional<Instability> after_step(const Model& model, const State& state);
+    /// After a step whose nodes were watched: what is wrong, or nothing; where the step kept the
+    /// flow everywhere, looks at all that `examine` does. Team function that tells all the same;
+    /// all threads must have waited since they watched, as they do at the end of `advance`.
+    std::optional<Instability> after_step(const Model& model, const State& state, FlowKept kept);
 
-    /// Does `after_step` look at the velocity of all sites after this step?
-    bool looks_at_flow(std::int64_t step) const { return step % limits_.interval == 0; }
+    /// Is it time for all that `examine` does, after this step?
+    bool due(std::int64_t step) const { return step % limits_.interval == 0; }
 
     /// All checks but the node step: node places, speed at every site, area and orientation of
     /// every cell, outlines that cross themselves. To be called before a state is written over a

@@ -23,11 +23,11 @@ void run_steps(const Model& model, State& state, Exchange& exchange, Health& hea
     with_team(model.threads, [&] {
         for (std::int64_t next = state.step + 1;; ++next) {
             const bool done = last[next % 2];
-            const bool looked_at = done || health.looks_at_flow(next);
+            const FlowKept kept =
+                done || health.due(next) ? FlowKept::everywhere : FlowKept::near_membranes;
             if (team_rank() == 0) decide(next + 1);
-            advance(model, state, exchange,
-                    looked_at ? FlowKept::everywhere : FlowKept::near_membranes, times, &health);
-            const auto found = health.after_step(model, state);
+            advance(model, state, exchange, kept, times, &health);
+            const auto found = health.after_step(model, state, kept);
             if (found && team_rank() == 0) fault = found;
             if (found || done) break;
         }

@@ -11,6 +11,9 @@
 
 namespace tt {
 
+/// Where a step leaves the fluid's velocity for others to look at. Nothing else depends on it.
+enum class FlowKept : std::uint8_t { everywhere, near_membranes };
+
 /// What the controller of the mean velocity remembers.
 struct DriveState {
     double body_force = 0.0;  ///< acting now

@@ -40,15 +40,16 @@ private:
     Fault fault_;
 };
 
-/// Steps from the fault until it was noticed; −1 if it never was in 300.
-std::int64_t steps_until_noticed(FaultyExchange::Fault fault) {
+constexpr std::int64_t when = 131;  ///< the fault's step
+
+/// Steps from the fault until it was noticed; −1 if it never was in as many as given.
+std::int64_t steps_until_noticed(FaultyExchange::Fault fault, std::int64_t steps = 300) {
     const Model model = small_model();
     State state = small_state(model);
     Health health(HealthLimits{}, state);
-    constexpr std::int64_t when = 131;
     FaultyExchange exchange(state, when, std::move(fault));
     try {
-        run_steps(model, state, exchange, health, when + 300,
+        run_steps(model, state, exchange, health, when + steps,
                   Clock::now() + std::chrono::seconds(60));
     } catch (const SimulationError& error) {
         EXPECT_GE(error.instability().step, when);
@@ -96,6 +97,12 @@ TEST(FaultInjection, two_nodes_that_change_places_are_noticed_within_a_hundred_s
 
 TEST(FaultInjection, a_node_through_the_wall_is_noticed_within_a_hundred_steps) {
     expect_noticed([](State& s) { s.cells.y[0] = -0.5; });
+}
+
+TEST(FaultInjection, a_fault_in_the_last_step_is_noticed_before_anybody_looks) {
+    const auto fault = [](State& s) { s.force.x(9, 12) += 50.0; };
+    static_assert((when + 1) % HealthLimits{}.interval != 0);
+    EXPECT_EQ(steps_until_noticed(fault, 1), 1);
 }
 
 using FailingRun = TemporaryDirectory;
