@@ -47,8 +47,8 @@ TEST_P(FlowKeptBy, only_a_controller_of_the_mean_velocity_needs_all_of_it_meanwh
     EXPECT_EQ(state.drive.integral != 0.0, controller);
 }
 
-INSTANTIATE_TEST_SUITE_P(Drive, FlowKeptBy, testing::Values(false, true), [](const auto& info) {
-    return info.param ? "mean_velocity_held" : "drive_constant";
+INSTANTIATE_TEST_SUITE_P(Drive, FlowKeptBy, testing::Values(false, true), [](const auto& kind) {
+    return kind.param ? "mean_velocity_held" : "drive_constant";
 });
 
 }  // namespace
