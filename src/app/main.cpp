@@ -6,8 +6,8 @@
 
 namespace {
 
-/// Memory that a look or a frame has given back is kept for the next: to get pages from the system
-/// anew takes as long as to fill them.
+/// Memory that a look or a frame has given back is kept for the next. With pages from the system
+/// anew each time, a frame takes half as long again.
 void keep_memory() {
 #if defined(__GLIBC__)
     constexpr int megabyte = 1 << 20;

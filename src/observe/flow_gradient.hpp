@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
 #include "base/vec2.hpp"
 #include "fluid/boundaries.hpp"
 #include "fluid/relaxation.hpp"
@@ -20,12 +18,7 @@ struct VelocityGradient {
 class FlowView {
 public:
     FlowView(const VectorField& velocity, const Boundaries& boundaries)
-        : velocity_(velocity),
-          boundaries_(boundaries),
-          lattice_(velocity.x.lattice()),
-          x_(velocity.x.row(0)),
-          y_(velocity.y.row(0)),
-          pitch_(lattice_.pitch()) {}
+        : velocity_(velocity), boundaries_(boundaries), lattice_(velocity.x.lattice()) {}
 
     /// Column and row brought back into the box; y only where it is periodic.
     int column(int i) const { return wrapped(i, lattice_.nx); }
@@ -48,18 +41,14 @@ public:
 
 private:
     VelocityGradient central(int i, int j) const {
-        const double* const x = x_ + j * pitch_ + i;
-        const double* const y = y_ + j * pitch_ + i;
-        return {{0.5 * (x[1] - x[-1]), 0.5 * (y[1] - y[-1])},
-                {0.5 * (x[pitch_] - x[-pitch_]), 0.5 * (y[pitch_] - y[-pitch_])}};
+        return {0.5 * (velocity_(i + 1, j) - velocity_(i - 1, j)),
+                0.5 * (velocity_(i, j + 1) - velocity_(i, j - 1))};
     }
     VelocityGradient at_edge(int i, int j) const;
 
     const VectorField& velocity_;
     const Boundaries& boundaries_;
     const Lattice& lattice_;
-    const double *x_, *y_;  ///< at site (0, 0)
-    std::ptrdiff_t pitch_;
 };
 
 /// Largest shear rate at a place, in whatever direction: the difference of the principal rates of

@@ -32,12 +32,12 @@ void PlasmaMap::mark_membrane(const Outline& outline, std::int32_t cell, Rows ro
             const int row = lattice_.row_in_box(j + dj);
             if (row < rows.first || row >= rows.second) continue;
             if (i > 0 && i + 2 < lattice_.nx) {
-                std::int32_t* const marks = at(i - 1, row);
+                std::int32_t* const marks = &marks_[place(i - 1, row)];
                 for (int n = 0; n < 4; ++n) marks[n] = marked(marks[n], cell);
                 continue;
             }
             for (int di = -1; di <= 2; ++di) {
-                std::int32_t& mark = *at(wrapped(i + di, lattice_.nx), row);
+                std::int32_t& mark = marks_[place(wrapped(i + di, lattice_.nx), row)];
                 mark = marked(mark, cell);
             }
         }
@@ -60,7 +60,7 @@ void PlasmaMap::mark_interior(const Outline& outline, Rows rows) {
         if (winding == 0) continue;
         const int last = site_below(crossings[n + 1].x);
         for (int i = site_below(crossings[n].x) + 1; i <= last; ++i)
-            *at(wrapped(i, lattice_.nx), crossings[n].row) = taken;
+            marks_[place(wrapped(i, lattice_.nx), crossings[n].row)] = taken;
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -24,7 +25,7 @@ public:
 
     /// Plasma beyond the reach of every membrane other than that of `cell`. Walls are no concern
     /// here.
-    bool clear_of_others(int i, int j, int cell) const { return clear(*at(i, j), cell); }
+    bool clear_of_others(int i, int j, int cell) const { return clear(marks_[place(i, j)], cell); }
 
     /// The same of all sites that FlowView::at reads where (i, j) is the last site before a
     /// position along x and along y: the 4 × 4 block from (i − 1, j − 1) but for its corners. Any i
@@ -36,12 +37,7 @@ private:
     static constexpr std::int32_t taken = -2;  ///< inside a cell, or near the membranes of two
 
     static bool clear(std::int32_t mark, int cell) { return mark == plasma || mark == cell; }
-    const std::int32_t* at(int i, int j) const {
-        return marks_.data() + static_cast<std::ptrdiff_t>(j) * lattice_.nx + i;
-    }
-    std::int32_t* at(int i, int j) {
-        return marks_.data() + static_cast<std::ptrdiff_t>(j) * lattice_.nx + i;
-    }
+    std::size_t place(int i, int j) const { return static_cast<std::size_t>(j) * lattice_.nx + i; }
 
     using Rows = std::pair<int, int>;  ///< [first, second)
     void mark_membrane(const Outline& outline, std::int32_t cell, Rows rows);

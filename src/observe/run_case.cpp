@@ -125,6 +125,7 @@ void CaseRun::start(const std::function<State()>& initial) {
     add_observers();
     for (const auto& observer : observers_) observer->start();
     health_.emplace(request_.limits, state_);
+    if (auto fault = health_->examine(model_, state_)) throw SimulationError(*fault);
     for (const auto& observer : observers_) observer->observe(Snapshot(model_, state_));
     save_checkpoint();
 }
@@ -178,8 +179,8 @@ void CaseRun::observe() {
     }
 }
 
+/// Of a state that has been examined, as every one is that `start` or `run_steps` leaves.
 void CaseRun::save_checkpoint() {
-    if (auto fault = health_->examine(model_, state_)) throw SimulationError(*fault);
     checkpoints_.save(state_, observers_, wall_seconds());
     checkpoint_duty_.done();
 }

@@ -42,8 +42,8 @@ public:
     bool due(std::int64_t step) const { return step % limits_.interval == 0; }
 
     /// All checks but the node step: node places, speed at every site, area and orientation of
-    /// every cell, outlines that cross themselves. To be called before a state is written over a
-    /// good one.
+    /// every cell, outlines that cross themselves. A state that no step has led to is examined
+    /// before it is looked at or written.
     std::optional<Instability> examine(const Model& model, const State& state) const;
 
 private:

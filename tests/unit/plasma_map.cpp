@@ -79,7 +79,7 @@ TEST(PlasmaMap, is_clear_around_a_place_where_all_twelve_sites_are_that_will_be_
             if (box.walls && (j < 0 || j >= box.ny)) return true;
             return map.clear_of_others(wrapped(i, box.nx), wrapped(j, box.ny), 0);
         };
-        int around = 0;
+        int clear_places = 0;
         for (int j = -1; j <= box.ny; ++j) {
             for (int i = -50; i < 60; ++i) {
                 bool all = true;
@@ -90,10 +90,10 @@ TEST(PlasmaMap, is_clear_around_a_place_where_all_twelve_sites_are_that_will_be_
                     }
                 }
                 EXPECT_EQ(map.clear_around(i, j, 0), all) << i << ' ' << j;
-                around += all ? 1 : 0;
+                clear_places += all ? 1 : 0;
             }
         }
-        EXPECT_GT(around, 100);
+        EXPECT_GT(clear_places, 100);
     }
 }
 
