@@ -1,7 +1,9 @@
 #include "simulation/state_archive.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -62,7 +64,7 @@ std::vector<double> sites(const Populations& populations, int i) {
     return plane;
 }
 
-[[noreturn]] void refuse(const char* why) {
+[[noreturn]] void refuse(std::string_view why) {
     throw DamagedArchive(fmt::format("the checkpoint cannot be loaded: {}", why));
 }
 
@@ -87,12 +89,22 @@ void load_populations(const ArchiveReader& archive, const Model& model, Exchange
     if (odd) exchange.fill(populations);  // as `settle` left it
 }
 
-void expect_sound(const State& state) {
-    const Suspension& cells = state.cells;
+/// The fewest nodes of a cell, as `add_cell` asks.
+constexpr std::int32_t fewest_nodes = 8;
+
+/// Positions are unwrapped; a cell that has gone round a billion sites is none of ours.
+constexpr double farthest = 1e9;
+
+void expect_cells(const Suspension& cells) {
     if (cells.first.empty() || cells.first.front() != 0) refuse("its list of cells is wrong");
     for (std::size_t c = 1; c < cells.first.size(); ++c) {
-        if (cells.first[c] <= cells.first[c - 1]) refuse("its list of cells is wrong");
+        const std::int64_t nodes = std::int64_t{cells.first[c]} - cells.first[c - 1];
+        if (nodes < fewest_nodes) refuse("its list of cells is wrong");
     }
+}
+
+void expect_sizes(const State& state) {
+    const Suspension& cells = state.cells;
     const auto nodes = static_cast<std::size_t>(cells.node_count());
     for (const auto* per_node : {&cells.x, &cells.y, &cells.fx, &cells.fy, &cells.ux, &cells.uy,
                                  &cells.ux_sampled, &cells.uy_sampled, &cells.rest_curvature,
@@ -103,6 +115,48 @@ void expect_sound(const State& state) {
     for (const auto* per_cell : {&cells.reference_area, &cells.reference_perimeter, &cells.alpha,
                                  &cells.area, &cells.perimeter}) {
         if (per_cell->size() != count) refuse("an array is not of one number per cell");
+    }
+}
+
+/// Every number of the cells and of the drive is finite; `smallest_gap` alone may be nan.
+void expect_finite(const State& state) {
+    for_each_array(state, [](const char* name, const auto& values) {
+        for (const auto value : values) {
+            if (!std::isfinite(static_cast<double>(value)))
+                refuse(fmt::format("'{}' holds a number that is not finite", name));
+        }
+    });
+    if (state.step < 0) refuse("its step is negative");
+    if (!std::isfinite(state.drive.body_force) || !std::isfinite(state.drive.integral))
+        refuse("its drive is not finite");
+}
+
+/// Every node stands where the lattice can be asked for it: between the walls, and each cell within
+/// a stretch that a membrane can have.
+void expect_places(const Lattice& lattice, const Suspension& cells) {
+    const double longest = 4.0 * (lattice.nx + lattice.ny);
+    for (int c = 0; c < cells.cell_count(); ++c) {
+        const Vec2 start = cells.position(cells.first[c]);
+        for (int n = cells.first[c]; n < cells.first[c + 1]; ++n) {
+            const Vec2 p = cells.position(n);
+            if (std::abs(p.x) > farthest || std::abs(p.y) > farthest || norm(p - start) > longest)
+                refuse("a node is far from its cell");
+            if (lattice.walls && !(p.y > 0.0 && p.y < lattice.ny))
+                refuse("a node is beyond a wall");
+        }
+    }
+}
+
+/// Before anything is computed from it: what was saved from a sound run is sound, but a file may be
+/// forged, or have been in bad memory when its checksum was made.
+void expect_sound(const Lattice& lattice, const State& state) {
+    expect_cells(state.cells);
+    expect_sizes(state);
+    expect_finite(state);
+    expect_places(lattice, state.cells);
+    for (std::size_t n = 0; n < state.cells.x.size(); ++n) {
+        if (std::abs(state.interior.x[n]) > farthest || std::abs(state.interior.y[n]) > farthest)
+            refuse("the cytoplasm was laid far from its cell");
     }
 }
 
@@ -124,7 +178,7 @@ State load_state(const ArchiveReader& archive, const Model& model, Exchange& exc
     for_each_array(state, [&](const char* name, auto& values) {
         values = archive.take<typename std::remove_cvref_t<decltype(values)>::value_type>(name);
     });
-    expect_sound(state);
+    expect_sound(model.lattice, state);
     size_derived(state.cells);
     load_populations(archive, model, exchange, state.populations);
     // `derive` lays the cytoplasm where the nodes are now; the run goes on from where it was last

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+#include <vector>
+
 #include "base/parallel.hpp"
 #include "simulation/advance.hpp"
 #include "simulation/state_archive.hpp"
@@ -66,6 +70,73 @@ TEST_F(Restart, a_state_of_another_lattice_is_refused) {
     model.lattice.nx += 1;
     Periodic exchange;
     EXPECT_THROW(load_state(ArchiveReader(path("state")), model, exchange), DamagedArchive);
+}
+
+/// Where the hash of a state and what is loaded must show it: one number after the other.
+TEST_F(Restart, every_number_of_a_state_is_hashed_and_comes_back) {
+    const Model model = small_model();
+    State state = small_state(model);
+    advance_by(model, state, 3);
+    state.drive.body_force = 1e-5;
+    state.drive.integral = 2e-3;
+    state.contact.repulsion_count = 17;
+    const auto change = [](double& value) { value = std::nextafter(value, 1e9); };
+    Suspension& cells = state.cells;
+    const std::vector<std::function<void()>> changes{
+        [&] { ++state.step; },
+        [&] { change(state.drive.body_force); },
+        [&] { change(state.drive.integral); },
+        [&] { ++state.contact.repulsion_count; },
+        [&] { change(cells.x[5]); },
+        [&] { change(cells.y[5]); },
+        [&] { change(cells.ux[5]); },
+        [&] { change(cells.uy[5]); },
+        [&] { change(cells.ux_sampled[5]); },
+        [&] { change(cells.uy_sampled[5]); },
+        [&] { change(cells.rest_length[5]); },
+        [&] { change(cells.rest_curvature[5]); },
+        [&] { change(cells.reference_area[1]); },
+        [&] { change(cells.reference_perimeter[1]); },
+        [&] { change(state.interior.x[40]); },
+        [&] { change(state.interior.y[40]); },
+    };
+    for (std::size_t k = 0; k < changes.size(); ++k) {
+        const std::uint64_t before = state_hash(state);
+        changes[k]();
+        EXPECT_NE(state_hash(state), before) << "change " << k;
+        const State loaded = saved_and_loaded(model, state, path("state"));
+        EXPECT_EQ(state_hash(loaded), state_hash(state)) << "change " << k;
+    }
+}
+
+/// The checksum of such a file is right: what it holds is not.
+TEST_F(Restart, a_forged_state_is_refused_before_it_is_used) {
+    const Model model = small_model();
+    const double nan = std::nan("");
+    const std::vector<std::function<void(State&)>> forgeries{
+        [&](State& s) { s.cells.x[7] = nan; },
+        [&](State& s) { s.cells.uy[7] = nan; },
+        [&](State& s) { s.interior.x[7] = nan; },
+        [&](State& s) { s.drive.integral = nan; },
+        [&](State& s) { s.cells.alpha[0] = nan; },
+        [&](State& s) { s.cells.x[7] = 1e12; },
+        [&](State& s) { s.cells.x[7] += 1000.0; },
+        [&](State& s) { s.interior.y[7] = -1e300; },
+        [&](State& s) { s.cells.y[7] = -3.0; },
+        [&](State& s) { s.step = -1; },
+        [&](State& s) { s.cells.first[1] = 1; },
+        [&](State& s) { s.cells.first[1] = 1'000'000'000; },
+        [&](State& s) { s.cells.first = {0}; },
+        [&](State& s) { s.cells.first = {}; },
+        [&](State& s) { s.cells.area.pop_back(); },
+        [&](State& s) { s.cells.fx.pop_back(); },
+    };
+    for (std::size_t k = 0; k < forgeries.size(); ++k) {
+        State state = small_state(model);
+        advance_by(model, state, 1);
+        forgeries[k](state);
+        EXPECT_THROW(saved_and_loaded(model, state, path("state")), DamagedArchive) << k;
+    }
 }
 
 }  // namespace
