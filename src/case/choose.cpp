@@ -106,8 +106,9 @@ std::string choose_equilibrium(const Case& c) {
 /// (docs/theory/interface.md).
 std::string choose_delta(const Case& c) {
     if (c.numerics.delta != "auto") return c.numerics.delta;
+    constexpr double largest = 10.0 * (1.0 + 1e-9);  // "12 cP" over "1.2 cP" is 10.000000000000002
     const double ratio = c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si;
-    return std::max(ratio, 1.0 / ratio) <= 10.0 ? "roma3" : "peskin4";
+    return std::max(ratio, 1.0 / ratio) <= largest ? "roma3" : "peskin4";
 }
 
 /// k_p: well within what the lattice fluid's compressibility allows, at most 10 kPa. Of a cell

@@ -28,6 +28,17 @@ double step_of(const Choice& choice, const std::string& limit) {
     return 0.0;
 }
 
+TEST(Choice, the_kernel_of_ten_times_the_viscosity_is_that_of_the_documents) {
+    const auto delta = [](const std::string& cytoplasm) {
+        return choice_of("03-cell-in-shear",
+                         {"plasma.viscosity=1.2 cP", "cells.cytoplasm_viscosity=" + cytoplasm})
+            .delta;
+    };
+    EXPECT_EQ(delta("12 cP"), "roma3");
+    EXPECT_EQ(delta("0.12 cP"), "roma3");
+    EXPECT_EQ(delta("12.01 cP"), "peskin4");
+}
+
 TEST(StepLimits, of_the_default_tolerance_are_the_documented_ones) {
     const Choice shear = choice_of("03-cell-in-shear", {});
     EXPECT_EQ(shear.limits.front().name, "Reynolds number");
