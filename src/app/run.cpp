@@ -96,8 +96,9 @@ void add_run(CLI::App& app, Action& action, const std::string& command_line) {
     add_watching_options(*verb, *options);
     verb->add_flag("--fresh", options->fresh, "begin anew; former results are moved aside");
     verb->footer(
-        "The same command goes on where the run was stopped: by Ctrl-C, TERM, USR2,\n"
-        "--max-time, or a crash. A results directory of another case is never touched.\n\n"
+        "The same command goes on where the run was stopped: by Ctrl-C, TERM, HUP,\n"
+        "USR1, USR2, XCPU, --max-time, or a crash. A second Ctrl-C, at least a second\n"
+        "later, ends it at once. Results of another case are never touched.\n\n"
         "  tanktread run channel.toml --set flow.pseudo_shear_rate=\"150 /s\" -o slow");
     verb->callback([options, &action, &command_line] {
         action = [options, &command_line] { return run(*options, command_line); };

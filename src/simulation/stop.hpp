@@ -2,9 +2,10 @@
 
 namespace tt {
 
-/// From now on INT, TERM and USR2 only ask the run to stop; a second one ends the process at once,
-/// as without us. Writing past a file-size limit becomes an error that we report, instead of a
-/// signal that kills.
+/// From now on INT, TERM, HUP, USR1, USR2 and XCPU only ask the run to stop, however often they
+/// come. A second INT, a second or more after the first, ends the process at once. A HUP that the
+/// caller ignores (nohup) stays ignored. Writing past a file-size limit becomes an error that we
+/// report, instead of a signal that kills.
 void catch_stop_signals();
 
 /// Has a signal asked to stop?
