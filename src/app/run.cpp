@@ -70,7 +70,7 @@ int run(const RunOptions& options, const std::string& command_line) {
         if (until > c.time.end)
             throw CommandError(fmt::format("--until {} is beyond the end of the case, {}",
                                            options.until, to_text(c.time.end)));
-        request.end = until;
+        request.until = until;
     }
     Periodic exchange;
     const RunOutcome outcome = run_case(
@@ -81,7 +81,7 @@ int run(const RunOptions& options, const std::string& command_line) {
 void add_watching_options(CLI::App& verb, RunOptions& options) {
     verb.add_option("--max-time", options.max_time,
                     "stop after 55m, 90s, 1h30m on the clock; exit 75");
-    verb.add_option("--until", options.until, "stop at this simulated time, \"50 ms\"");
+    verb.add_option("--until", options.until, "stop at this simulated time, \"50 ms\"; exit 75");
     verb.add_option("--progress", options.progress, "auto, bar, log, json or none");
 }
 

@@ -46,6 +46,7 @@ private:
     void record_failure(const SimulationError& error);
 
     bool at_end() const { return state_.step >= steps_; }
+    bool at_stop() const { return state_.step >= stop_; }
     Standing standing();
     void record(const std::string& phase);
     double wall_seconds() const { return earlier_seconds_ + pace_->seconds(); }
@@ -55,6 +56,7 @@ private:
     const Model& model_;
     Exchange& exchange_;
     const std::int64_t steps_;
+    const std::int64_t stop_;  ///< the step at which this session stops
     ResultsDirectory results_;
     Checkpoints checkpoints_;
     Progress progress_;
@@ -74,6 +76,8 @@ CaseRun::CaseRun(const RunRequest& request, const Model& model, Exchange& exchan
       model_(model),
       exchange_(exchange),
       steps_(steps_until(request.end.si, model.scales.time)),
+      stop_(request.until ? std::min(steps_, steps_until(request.until->si, model.scales.time))
+                          : steps_),
       results_(request.directory, case_hash(), request.start),
       checkpoints_(results_.path(), case_hash()),
       progress_(request.progress),
@@ -198,8 +202,8 @@ void CaseRun::attend_to_duties() {
 }
 
 void CaseRun::loop() {
-    while (!at_end() && !stop_requested() && !time_limit_.due()) {
-        std::int64_t until = steps_;
+    while (!at_stop() && !stop_requested() && !time_limit_.due()) {
+        std::int64_t until = stop_;
         for (const auto& observer : observers_)
             until = std::min(until, observer->schedule().next_after(state_.step));
         const auto wake = std::min({status_duty_.next(), progress_duty_.next(),

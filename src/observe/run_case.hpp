@@ -28,6 +28,7 @@ struct RunRequest {
     Time series, frames;           ///< intervals
     Time checkpoint{300.0};        ///< wall clock
     std::optional<Time> max_time;  ///< wall clock of this session
+    std::optional<Time> until;     ///< simulated time at which this session stops, before the end
     ProgressMode progress = ProgressMode::automatic;
     Start start = Start::resume;
     HealthLimits limits;
@@ -43,10 +44,10 @@ struct RunOutcome {
     double wall_seconds = 0.0;  ///< all sessions together
 };
 
-/// Runs the case into its results directory, or goes on with it, until its end, a signal or the
-/// time limit; leaves the directory such that the same call goes on, to the same bits as if it had
-/// never stopped. `initial` is called only for a run that starts. Throws SimulationError (last good
-/// state in failure/), DirectoryInUse, IoError.
+/// Runs the case into its results directory, or goes on with it, until its end, a signal,
+/// `until` or the time limit; leaves the directory such that the same call goes on, to the same
+/// bits as if it had never stopped. `initial` is called only for a run that starts. Throws
+/// SimulationError (last good state in failure/), DirectoryInUse, IoError.
 RunOutcome run_case(const RunRequest& request, const Model& model,
                     const std::function<State()>& initial, Exchange& exchange);
 
