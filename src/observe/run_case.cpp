@@ -37,6 +37,7 @@ private:
     void start(const std::function<State()>& initial);
     void resume(const ArchiveReader& archive);
     bool was_done() const;
+    bool was_done_without_state() const;
 
     void loop();
     void observe();
@@ -144,6 +145,13 @@ void CaseRun::resume(const ArchiveReader& archive) {
 }
 
 bool CaseRun::was_done() const { return at_end() && fs::exists(results_.path() / "summary.json"); }
+
+/// Finished results whose checkpoint/, the largest part, somebody deleted: nothing to do, and
+/// nothing of theirs to write over.
+bool CaseRun::was_done_without_state() const {
+    return fs::exists(results_.path() / "summary.json") &&
+           read_status(results_.path()).value("step", std::int64_t{0}) >= steps_;
+}
 
 Standing CaseRun::standing() {
     pace_->update(state_.step);
@@ -276,6 +284,8 @@ RunOutcome CaseRun::run(const std::function<State()>& initial) {
             for (const auto& observer : observers_) observer->resume(*archive);
             record("running");
             say(fmt::format("resumed at step {} of {}", state_.step, steps_));
+        } else if (was_done_without_state()) {
+            return {RunOutcome::Ending::was_done, steps_, steps_, 0, 0.0};
         } else {
             start(initial);
         }

@@ -40,8 +40,8 @@ struct RunOutcome {
     Ending ending = Ending::done;
     std::int64_t step = 0;
     std::int64_t steps = 0;
-    std::uint64_t state_hash = 0;
-    double wall_seconds = 0.0;  ///< all sessions together
+    std::uint64_t state_hash = 0;  ///< 0 where no checkpoint was left to read it from
+    double wall_seconds = 0.0;     ///< all sessions together
 };
 
 /// Runs the case into its results directory, or goes on with it, until its end, a signal,

@@ -1,6 +1,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <map>
+#include <string>
 #include <thread>
 
 #include <sys/resource.h>
@@ -232,6 +234,22 @@ TEST_F(StopAndResume, a_full_disk_destroys_nothing_and_the_run_goes_on_with_more
     EXPECT_GE(failures, 2);
     run_small(request);
     expect_same_results(path("straight"), path("full"));
+}
+
+/// People delete checkpoint/, the largest part of what is finished.
+TEST_F(StopAndResume, finished_results_without_a_checkpoint_are_left_as_they_are) {
+    const RunRequest request = small_request(path("done"), 100);
+    run_small(request);
+    fs::remove_all(path("done") / "checkpoint");
+    std::map<std::string, std::string> before;
+    for (const char* name : {"series.csv", "cells.csv", "frames.h5", "summary.json",
+                             "PROVENANCE.json", "status.json"}) {
+        before[name] = read_file(path("done") / name);
+    }
+    const RunOutcome outcome = run_small(request);
+    EXPECT_EQ(outcome.ending, RunOutcome::Ending::was_done);
+    EXPECT_EQ(outcome.steps, 100);
+    for (const auto& [name, text] : before) EXPECT_EQ(read_file(path("done") / name), text) << name;
 }
 
 TEST_F(StopAndResume, two_runs_never_write_to_one_directory) {
