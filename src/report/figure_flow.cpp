@@ -137,15 +137,8 @@ unset key
 std::vector<int> chosen_frames(const Results& run) {
     std::vector<double> wanted;
     const int last = run.frames->count() - 1;
-    std::string list = run.setting("output.figure_times");
-    for (char& c : list)
-        if (c == '[' || c == ']' || c == ',') c = ' ';
-    const char* at = list.c_str();
-    for (char* end = nullptr;; at = end) {
-        const double milliseconds = std::strtod(at, &end);
-        if (end == at) break;
-        wanted.push_back(milliseconds * 1e-3);
-    }
+    for (const double time : settings_si(run.setting("output.figure_times")))
+        if (std::isfinite(time)) wanted.push_back(time);
     if (wanted.empty())
         for (const double share : {0.0, 0.25, 0.5, 1.0})
             wanted.push_back(share * run.frames->time(last));

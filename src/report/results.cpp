@@ -1,14 +1,14 @@
 #include "report/results.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/units.hpp"
 #include "io/file.hpp"
 #include "io/toml.hpp"
 
@@ -123,26 +123,21 @@ const std::vector<double>& values(const Table& table, std::string_view name) {
 }
 
 double setting_si(const std::string& text) {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (end == text.c_str()) return nan;
-    std::string unit = end;
-    unit.erase(0, unit.find_first_not_of(" \t"));
-    static constexpr std::array<std::pair<const char*, double>, 12> known{{{"", 1.0},
-                                                                           {"m", 1.0},
-                                                                           {"um", 1e-6},
-                                                                           {"nm", 1e-9},
-                                                                           {"mm", 1e-3},
-                                                                           {"s", 1.0},
-                                                                           {"ms", 1e-3},
-                                                                           {"us", 1e-6},
-                                                                           {"/s", 1.0},
-                                                                           {"1/s", 1.0},
-                                                                           {"Pa s", 1.0},
-                                                                           {"cP", 1e-3}}};
-    for (const auto& [name, factor] : known)
-        if (unit == name) return value * factor;
-    return nan;
+    try {
+        return parse_measure(text).si;
+    } catch (const UnitError&) {
+        return nan;
+    }
+}
+
+std::vector<double> settings_si(const std::string& list) {
+    std::vector<double> all;
+    for (std::size_t at = 0; at < list.size();) {
+        const std::size_t comma = std::min(list.find(',', at), list.size());
+        all.push_back(setting_si(list.substr(at, comma - at)));
+        at = comma + 1;
+    }
+    return all;
 }
 
 double window_mean(const Results& results, const std::string& column) {

@@ -49,6 +49,9 @@ const std::vector<double>& values(const Table& table, std::string_view name);
 /// a bare number. NaN if the text is not one.
 double setting_si(const std::string& text);
 
+/// The same of a list, "0 ms, 0.5 ms"; NaN for each that is not a number.
+std::vector<double> settings_si(const std::string& list);
+
 /// Mean of a series column over the averaging window, or over the later half of the run if there is
 /// no window; NaN if there is no such column.
 double window_mean(const Results& results, const std::string& column);

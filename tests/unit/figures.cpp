@@ -103,6 +103,16 @@ TEST(Results, summary_window_and_settings_are_read) {
     EXPECT_TRUE(std::isnan(window_mean(run, "no such column")));
 }
 
+TEST(Results, all_figure_times_are_drawn_in_whatever_unit_they_are_given) {
+    ScratchFolder scratch;
+    invent_results(scratch / "run");  // nine frames in 80 ms
+    Results run = read_results(scratch / "run");
+    run.settings["output.figure_times"] = "0 ms, 0.02 s, 40000 us, 80 ms";
+    EXPECT_EQ(chosen_frames(run), (std::vector<int>{0, 2, 4, 8}));
+    EXPECT_DOUBLE_EQ(setting_si("6e-3 dyn/cm"), 6e-6);  // any unit of a case file
+    EXPECT_TRUE(std::isnan(setting_si("developed")));
+}
+
 TEST(ReportFrames, wrapping_moves_a_whole_cell_into_the_box) {
     FramesHeader header;
     header.length = 10.0;
