@@ -7,7 +7,6 @@
 #include <limits>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "app/calibration.hpp"
@@ -15,6 +14,7 @@
 #include "app/run_request.hpp"
 #include "app/verb.hpp"
 #include "base/error.hpp"
+#include "base/processors.hpp"
 #include "base/units.hpp"
 #include "case/resolve.hpp"
 #include "io/checksum.hpp"
@@ -80,9 +80,7 @@ public:
           directory_(options.directory.empty() ? fs::path("results") / calibration_.targets.name
                                                : fs::path(options.directory),
                      read_file(options.path)),
-          at_once_(options.jobs > 0
-                       ? options.jobs
-                       : static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u))),
+          at_once_(options.jobs > 0 ? options.jobs : usable_processors()),
           command_line_(command_line),
           progress_(progress_mode(options.progress)) {
         if (!directory_.moved_to().empty())

@@ -5,10 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <thread>
 
 #include "app/verb.hpp"
 #include "base/error.hpp"
+#include "base/processors.hpp"
 #include "base/units.hpp"
 #include "case/read.hpp"
 
@@ -40,8 +40,7 @@ void add_threads_option(CLI::App& verb, int& threads) {
 
 int thread_count(int asked, const Lattice& lattice) {
     if (asked > 0) return asked;
-    const int processors = static_cast<int>(std::thread::hardware_concurrency());
-    return std::max(1, std::min(processors, lattice.ny / 8));
+    return std::max(1, std::min(usable_processors(), lattice.ny / 8));
 }
 
 Time parse_duration(std::string_view option, std::string_view text) {

@@ -31,7 +31,7 @@ Case read_given_case(const CaseOptions& options);
 /// Adds -j alone.
 void add_threads_option(CLI::App& verb, int& threads);
 
-/// `asked`, or all processors as long as each gets at least eight rows of sites.
+/// `asked`, or all usable processors as long as each gets at least eight rows of sites.
 int thread_count(int asked, const Lattice& lattice);
 
 /// "55m", "90s", "1h30m", "2 h", "5 min": a time on the clock on the wall, where m is a minute.

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <thread>
 
+#include "base/processors.hpp"
 #include "base/version.hpp"
 #include "io/checksum.hpp"
 #include "io/json.hpp"
@@ -45,6 +46,7 @@ void write_provenance(const std::filesystem::path& results, const Provenance& p,
                    {"build_type", build_type},
                    {"processor", processor_name()},
                    {"hardware_threads", std::thread::hardware_concurrency()},
+                   {"usable_processors", usable_processors()},
                    {"threads", p.threads},
                    {"ranks", 1},
                    {"case_toml_hash", hexadecimal(checksum(p.case_toml))},

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace tt {
+
+/// How many processors this process may use at once: those of its affinity (taskset, Slurm,
+/// containers), and no more than the smallest quota of its control groups allows, rounded up. At
+/// least 1. The machine may have more: std::thread::hardware_concurrency().
+int usable_processors();
+
+/// The smallest quota of processors, rounded up, of the control groups in `membership` (the text of
+/// /proc/self/cgroup) and those above them, under `mount` (/sys/fs/cgroup). Version 2 keeps it in
+/// cpu.max, version 1 in cpu.cfs_quota_us and cpu.cfs_period_us. 0: no quota.
+int processors_by_quota(const std::filesystem::path& mount, std::string_view membership);
+
+}  // namespace tt
