@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/calibration.hpp"
+#include "base/tell.hpp"
 #include "app/run_pool.hpp"
 #include "app/run_request.hpp"
 #include "app/verb.hpp"
@@ -237,11 +238,11 @@ int calibrate(const CalibrateOptions& options, const std::string& command_line) 
     const std::string directory = calibrator.path().string();
     const int code = calibrator.run();
     if (code == exit_code::stopped_early)
-        fmt::print(stderr, "stopped; the same command goes on in '{}'\n", directory);
+        tell_user("stopped; the same command goes on in '{}'\n", directory);
     if (code != exit_code::done) return code;
     const Calibration& calibration = calibrator.calibration();
     if (calibration.best().found.empty()) {
-        fmt::print(stderr, "tanktread: every pair failed: {}\n", calibration.best().failure);
+        tell_user("tanktread: every pair failed: {}\n", calibration.best().failure);
         return exit_code::unstable;
     }
     const Json json = to_json(calibration);
@@ -250,7 +251,7 @@ int calibrate(const CalibrateOptions& options, const std::string& command_line) 
     std::fflush(stdout);  // before what goes to stderr
     make_directory(calibrator.path() / "figures");
     draw_valley(calibration, calibrator.path() / "figures");
-    fmt::print(stderr, "in '{}': calibration.json, figures/valley.svg\n", directory);
+    tell_user("in '{}': calibration.json, figures/valley.svg\n", directory);
     return exit_code::done;
 }
 

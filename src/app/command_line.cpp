@@ -1,4 +1,5 @@
 #include "app/command_line.hpp"
+#include "base/tell.hpp"
 
 #include <fmt/format.h>
 
@@ -70,14 +71,14 @@ bool is_unknown_verb(const CLI::App& app, int argc, const char* const* argv) {
         names.push_back(name);
     }
     const auto near = closest(word, names);
-    fmt::print(stderr, "tanktread: unknown verb '{}'; {}\n", word,
-               near ? fmt::format("did you mean '{}'?", *near)
-                    : fmt::format("verbs: {}", fmt::join(names, ", ")));
+    tell_user("tanktread: unknown verb '{}'; {}\n", word,
+              near ? fmt::format("did you mean '{}'?", *near)
+                   : fmt::format("verbs: {}", fmt::join(names, ", ")));
     return true;
 }
 
 int tell(std::string_view message, int code) {
-    fmt::print(stderr, "tanktread: {}\n", message);
+    tell_user("tanktread: {}\n", message);
     return code;
 }
 
@@ -92,7 +93,7 @@ int perform(const Action& action) {
     } catch (const CommandError& error) {
         return tell(error.what(), exit_code::bad_input);
     } catch (const CaseError& error) {
-        fmt::print(stderr, "{}\n", error.what());  // file:line:column first, for editors
+        tell_user("{}\n", error.what());  // file:line:column first, for editors
         const std::size_t count = error.faults().size();
         return tell(count == 1 ? "1 fault; nothing was run"
                                : fmt::format("{} faults; nothing was run", count),
@@ -129,7 +130,7 @@ int run_command_line(int argc, const char* const* argv) {
     for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
         verb->group("Verbs");
     if (argc < 2) {
-        fmt::print(stderr, "{}", app.help());
+        tell_user("{}", app.help());
         return exit_code::bad_input;
     }
     if (is_unknown_verb(app, argc, argv)) return exit_code::bad_input;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/templates.hpp"
+#include "base/tell.hpp"
 #include "app/verb.hpp"
 #include "base/error.hpp"
 #include "base/words.hpp"
@@ -55,7 +56,7 @@ int write_case(const NewOptions& options) {
                  Durability::process);
     fmt::print("wrote {}\n", path.string());
     std::fflush(stdout);  // before what goes to stderr
-    fmt::print(stderr, "next:  tanktread check {0}\n       tanktread run {0}\n", path.string());
+    tell_user("next:  tanktread check {0}\n       tanktread run {0}\n", path.string());
     return exit_code::done;
 }
 

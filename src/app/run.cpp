@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/case_options.hpp"
+#include "base/tell.hpp"
 #include "app/run_request.hpp"
 #include "app/verb.hpp"
 #include "base/units.hpp"
@@ -35,19 +36,18 @@ int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
         case RunOutcome::Ending::done:
             fmt::print("{}\n", directory);
             std::fflush(stdout);  // before what goes to stderr
-            fmt::print(stderr, "next:  tanktread report {}\n", directory);
+            tell_user("next:  tanktread report {}\n", directory);
             return exit_code::done;
         case RunOutcome::Ending::was_done:
             fmt::print("{}\n", directory);
             std::fflush(stdout);
-            fmt::print(stderr,
-                       "{} is finished, {} steps; --fresh begins anew and keeps it beside\n",
-                       directory, outcome.steps);
+            tell_user("{} is finished, {} steps; --fresh begins anew and keeps it beside\n",
+                      directory, outcome.steps);
             return exit_code::done;
         case RunOutcome::Ending::stopped:
             break;
     }
-    fmt::print(stderr, "next:  tanktread resume {}\n", directory);
+    tell_user("next:  tanktread resume {}\n", directory);
     return exit_code::stopped_early;
 }
 

@@ -1,4 +1,5 @@
 #include "app/run_pool.hpp"
+#include "base/tell.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -146,8 +147,8 @@ int Pool::reap(int options) {
         work_left_ -= work_of(jobs_[child.job].c) * (1.0 - child.share);
         const int code = WIFEXITED(status) ? WEXITSTATUS(status) : exit_code::internal;
         if (!WIFEXITED(status))
-            fmt::print(stderr, "tanktread: the run in '{}' was ended by signal {}\n",
-                       jobs_[child.job].directory.string(), WTERMSIG(status));
+            tell_user("tanktread: the run in '{}' was ended by signal {}\n",
+                      jobs_[child.job].directory.string(), WTERMSIG(status));
         if (code != exit_code::done && code != exit_code::unstable) return code;
     }
     return exit_code::done;

@@ -1,4 +1,5 @@
 #include "app/selftest.hpp"
+#include "base/tell.hpp"
 
 #include <fmt/format.h>
 
@@ -60,10 +61,9 @@ int run_selftest(std::span<const SelftestPart> parts, bool json) {
     std::fflush(stdout);  // before what goes to stderr
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     if (failed > 0)
-        fmt::print(stderr, "tanktread: {} of {} checks failed: do not trust this build\n", failed,
-                   count);
+        tell_user("tanktread: {} of {} checks failed: do not trust this build\n", failed, count);
     else
-        fmt::print(stderr, "{} checks passed in {:.0f} s\n", count, seconds);
+        tell_user("{} checks passed in {:.0f} s\n", count, seconds);
     return failed > 0 ? exit_code::internal : exit_code::done;
 }
 

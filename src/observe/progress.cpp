@@ -1,4 +1,5 @@
 #include "observe/progress.hpp"
+#include "base/tell.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -83,18 +84,18 @@ void Progress::show(const Standing& standing) {
 void Progress::show(const std::string& line, const std::string& json) {
     if (mode_ == ProgressMode::none) return;
     if (mode_ == ProgressMode::bar) {
-        fmt::print(stderr, "\r\x1b[K{}", line);
+        tell_user("\r\x1b[K{}", line);
         std::fflush(stderr);
         line_open_ = true;
         return;
     }
-    fmt::print(stderr, "{}\n", mode_ == ProgressMode::json ? json : line);
+    tell_user("{}\n", mode_ == ProgressMode::json ? json : line);
 }
 
 void Progress::say(const std::string& message) {
     if (line_open_) std::fputs("\r\x1b[K", stderr);
     line_open_ = false;
-    if (mode_ != ProgressMode::none) fmt::print(stderr, "{}\n", message);
+    if (mode_ != ProgressMode::none) tell_user("{}\n", message);
 }
 
 }  // namespace tt
