@@ -62,6 +62,7 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
                 a.viscosity_ratio));
     else
         print_line("cells", "none");
+    if (a.cells > 0 && c.cells.outline) print_line("outline", description(*c.cells.outline));
     const StepLimit& limit = choice.limits.front();
     const bool chosen = !c.numerics.dt && !c.numerics.density_scale;
     print_line("time step",
@@ -152,6 +153,15 @@ void print_verdict(const Appraisal& a) {
                                   : "Ready to run; consider what is marked with *.");
 }
 
+Json to_json(const CellOutline& outline) {
+    const OutlineMeasures m = measures_of(outline);
+    return {{"file", outline.file},           {"points", outline.given},
+            {"closed", outline.closed},       {"clockwise", outline.clockwise},
+            {"staircase", outline.staircase}, {"width_m", m.width},
+            {"height_m", m.height},           {"area_m2", m.area},
+            {"perimeter_m", m.perimeter},     {"reduced_area", m.reduced_area}};
+}
+
 Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Probe& p) {
     Json j;
     j["name"] = c.name;
@@ -166,6 +176,7 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
     j["radius_sites"] = a.radius_sites;
     j["hematocrit"] = a.hematocrit;
     j["viscosity_ratio"] = a.viscosity_ratio;
+    if (c.cells.outline) j["outline"] = to_json(*c.cells.outline);
     j["relaxation_time_plasma"] = a.tau_plasma;
     j["relaxation_time_largest"] = a.tau_cytoplasm;
     j["density_scale"] = choice.density_scale;

@@ -14,6 +14,10 @@ RunRequest request_for(const Case& c, const Choice& choice, const Model& model) 
     request.name = c.name;
     request.resolved_toml = resolved_toml(c, choice, model);
     request.identity = identity_of(c);
+    if (c.cells.outline && !c.numerics.fluid_only) {
+        request.notes.push_back("outline " + description(*c.cells.outline));
+        for (const std::string& remark : c.cells.outline->remarks) request.notes.push_back(remark);
+    }
     request.end = c.time.end;
     request.average_from = c.time.average_from.value_or(Time{0.5 * c.time.end.si});
     request.series = c.output.series.value_or(Time{c.time.end.si / 500.0});

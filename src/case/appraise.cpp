@@ -193,6 +193,11 @@ void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& 
             rounded_text(Length{c.contact.zero_force_distance.si / 2.0}, 1));
 }
 
+void advise_on_outline(const Case& c, Adviser& adviser) {
+    if (!c.cells.outline || c.numerics.fluid_only) return;
+    for (const std::string& remark : c.cells.outline->remarks) adviser.consider("{}", remark);
+}
+
 void advise_on_physics(const Case& c, const Appraisal& a, Adviser& adviser) {
     if (a.cells == 0) return;
     if (c.membrane.bending_modulus.si == 0.0 && a.shear_number >= 0.5)
@@ -240,6 +245,7 @@ Appraisal appraise(const Case& c, const Choice& choice, const Model& model, cons
     advise_on_step(c, choice, a, adviser);
     advise_on_change(c, choice, a, adviser);
     advise_on_resolution(c, choice, a, adviser);
+    advise_on_outline(c, adviser);
     advise_on_physics(c, a, adviser);
     return a;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/quantity.hpp"
+#include "case/cell_outline.hpp"
 
 namespace tt {
 
@@ -48,6 +49,9 @@ struct LayerCase {
     friend bool operator==(const LayerCase&, const LayerCase&) = default;
 };
 
+/// Of a cell [m].
+inline constexpr double smallest_radius = 1e-7;
+
 struct CellsCase {
     std::optional<std::int64_t> count;
     std::optional<double> hematocrit;  ///< instead of count: Σ area / box area
@@ -55,7 +59,11 @@ struct CellsCase {
     Length radius{4e-6};               ///< circle; biconcave: R₀
     std::optional<double>
         aspect_ratio;  ///< ellipse: major / minor semi-axis at the area of the circle
-    std::optional<std::string> file;             ///< x,y in µm, one node a line, counter-clockwise
+    std::optional<std::string> file;             ///< points of the outline, x,y in µm or pixels
+    std::optional<Length> pixel;                 ///< side of one, if the file is in pixels
+    std::optional<bool> y_down;                  ///< whether y counts downwards in the file
+    std::optional<Length> smoothing;             ///< standard deviation along the outline
+    std::optional<CellOutline> outline;          ///< what `file` holds; no key
     std::string layout = "single";               ///< single | paper | random | explicit
     std::vector<std::vector<Length>> positions;  ///< layout = explicit: [x, y]
     Angle angle;                                 ///< initial rotation, counter-clockwise

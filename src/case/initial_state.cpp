@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -12,40 +10,35 @@
 #include "case/choose.hpp"
 #include "case/layout.hpp"
 #include "fluid/collide_stream.hpp"
+#include "membrane/outline_checks.hpp"
 #include "membrane/shapes.hpp"
 #include "simulation/derive.hpp"
 
 namespace tt {
 namespace {
 
-/// The nodes of a shape file: x,y in µm, one node a line, '#' starts a comment.
-std::vector<Vec2> points_from(const std::string& path) {
-    std::ifstream file(path);
-    if (!file)
-        throw CaseError(
-            {{path, 0, 0, "cannot be opened; [cells] file must name a list of x,y in um"}});
-    std::vector<Vec2> points;
-    std::vector<Fault> faults;
-    std::string line;
-    for (int number = 1; std::getline(file, line); ++number) {
-        line = line.substr(0, line.find('#'));
-        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream words(line);
-        Vec2 p;
-        std::string rest;
-        if (words >> p.x >> p.y && !(words >> rest)) {
-            points.push_back(1e-6 * p);
-        } else {
-            faults.push_back({path, number, 1, "expected two numbers: x, y in um"});
-        }
+/// The outline of a file with this many nodes, about the centroid of its area. A neck that is
+/// thinner than the nodes are apart may be cut off.
+std::vector<Vec2> resampled(const CellOutline& outline, double nodes) {
+    constexpr double most_nodes = 1e5;
+    if (nodes > most_nodes)
+        throw CaseError({{outline.file, 0, 0,
+                          fmt::format("the outline is so long that it takes {:.3g} nodes; at most "
+                                      "{:.0f} are possible. Smooth it or write a larger dx",
+                                      nodes, most_nodes)}});
+    std::vector<Vec2> shape = at_equal_arc_length(outline.points, static_cast<int>(nodes));
+    std::vector<double> x, y;
+    for (const Vec2 p : shape) {
+        x.push_back(p.x);
+        y.push_back(p.y);
     }
-    if (!faults.empty()) throw CaseError(faults);
-    if (points.size() < 8) throw CaseError({{path, 0, 0, "a shape needs at least 8 nodes"}});
-    if (area_of(points) < 0.0) std::reverse(points.begin(), points.end());
-    Vec2 centre;
-    for (Vec2 p : points) centre += p / static_cast<double>(points.size());
-    return placed(points, 0.0, -centre);
+    if (const auto crossing = self_crossing({x, y}))
+        throw CaseError(
+            {{outline.file, 0, 0,
+              fmt::format("with {} nodes the outline crosses itself near ({:.4g}, {:.4g}) um from "
+                          "its middle, where it is thinner than the grid; write a smaller dx",
+                          nodes, 1e6 * x[crossing->first], 1e6 * y[crossing->first])}});
+    return placed(shape, 0.0, -centroid_of(shape));
 }
 
 /// The stress-free outline about the origin, in sites, with nodes at the spacing the case asks for.
@@ -58,8 +51,7 @@ std::vector<Vec2> stress_free_shape(const Case& c, double dx) {
     const double aspect = c.cells.aspect_ratio.value_or(1.0);
     std::vector<Vec2> shape;
     if (c.cells.shape == "file") {
-        const std::vector<Vec2> points = points_from(*c.cells.file);
-        shape = at_equal_arc_length(points, nodes(perimeter_of(points)));
+        shape = resampled(*c.cells.outline, nodes(perimeter_of(c.cells.outline->points)));
     } else if (c.cells.shape == "biconcave") {
         shape = biconcave(radius, nodes(perimeter_of(biconcave(radius, 1000))));
     } else if (c.cells.shape == "ellipse") {
@@ -122,6 +114,14 @@ void refuse_bad_placements(const Model& m, const Suspension& cells) {
     for (const Overlap& overlap : find_overlaps(m.lattice, cells)) {
         if (told[overlap.cell]) continue;
         told[overlap.cell] = true;
+        if (overlap.cell == overlap.other) {
+            faults.push_back({"", 0, 0,
+                              fmt::format("[cells] cell {} is longer than the box, {:.3g} um, and "
+                                          "meets its own periodic image; make it smaller or the "
+                                          "box longer",
+                                          overlap.cell, m.lattice.nx * m.scales.length * 1e6)});
+            continue;
+        }
         faults.push_back({"", 0, 0,
                           fmt::format("[cells] cells {} and {} overlap at the start; use fewer or "
                                       "smaller cells, or another "

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "base/words.hpp"
+#include "base/units.hpp"
+#include "case/read_outline.hpp"
 #include "case/reader.hpp"
 #include "case/schema.hpp"
 #include "case/validate.hpp"
@@ -78,10 +80,45 @@ void sort_faults(std::vector<Fault>& faults) {
     });
 }
 
+/// A path as the user would write it: from the current folder where it lies below it.
+std::string shown(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::path from_here =
+        path.lexically_relative(std::filesystem::current_path(error));
+    const bool below = !error && !from_here.empty() && *from_here.begin() != "..";
+    return (below ? from_here : path).string();
+}
+
 std::string default_name(const std::filesystem::path& file) {
     const std::string stem = file.stem().string();
     const std::string folder = file.parent_path().filename().string();
     return stem == "case" && !folder.empty() && folder != "." ? folder : stem;
+}
+
+/// The outline that `cells.file` names, into the case. Its own area is the size of the cells.
+/// Returns what is wrong with it.
+std::vector<Fault> read_shape_file(Case& c, const Places& places) {
+    CellsCase& cells = c.cells;
+    if (cells.shape != "file" || !cells.file) return {};
+    try {
+        const std::filesystem::path path = *cells.file;
+        cells.outline = read_outline(read_file(path), shown(path), cells);
+    } catch (const CaseError& error) {
+        return error.faults();
+    } catch (const IoError& error) {
+        Fault fault = places.at("cells.file");
+        fault.message = fmt::format("{}; file names the points of an outline", error.what());
+        return {fault};
+    }
+    const Length radius{measures_of(*cells.outline).radius};
+    if (places.count("cells.radius") > 0 &&
+        std::abs(cells.radius.si - radius.si) > 1e-6 * radius.si)
+        cells.outline->remarks.push_back(fmt::format(
+            "radius = {} in [cells] is not used: the outline of {} has the area of a circle of {}. "
+            "Leave radius out.",
+            to_text(cells.radius), cells.outline->file, rounded_text(radius)));
+    cells.radius = radius;
+    return {};
 }
 
 }  // namespace
@@ -100,6 +137,8 @@ Case parse_case(std::string_view text, const std::string& name,
         if (result.cells.file)
             result.cells.file = (directory / *result.cells.file).lexically_normal().string();
         const bool read = reader.faults.empty();
+        std::vector<Fault> outline_faults;
+        if (read && !directory.empty()) outline_faults = read_shape_file(result, reader.places);
         // Where a line could not be read as TOML, a key may only seem to be missing.
         if (!whole)
             reader.faults.erase(std::remove_if(reader.faults.begin(), reader.faults.end(),
@@ -115,8 +154,9 @@ Case parse_case(std::string_view text, const std::string& name,
         append(std::move(reader.faults));
         if (whole) append(find_conflicts(result, reader.places, name));
         if (whole && read) append(find_impossibilities(result, reader.places, name));
+        sort_faults(faults);
+        append(std::move(outline_faults));
     }
-    sort_faults(faults);
     if (!faults.empty()) throw CaseError(std::move(faults));
     return result;
 }

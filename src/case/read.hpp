@@ -16,7 +16,7 @@ namespace tt {
 Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 /// The same from a text; `name` stands for the file in faults, paths in the text start at
-/// `directory`.
+/// `directory`. Without a directory no file that the text names is opened.
 Case parse_case(std::string_view text, const std::string& name,
                 const std::vector<std::string>& overrides = {},
                 const std::filesystem::path& directory = {});

@@ -58,7 +58,7 @@ KeyLine key_line(const F& field, const T& value) {
         line.bounds = bounds_text(field.range, unit_of(field.example));
     else
         line.bounds = fmt::format("{}", fmt::join(split(field.choices, '|'), " | "));
-    if constexpr (std::is_same_v<T, bool>) line.bounds = "true | false";
+    if constexpr (std::is_same_v<item_type<T>, bool>) line.bounds = "true | false";
     if (line.required)
         line.bounds += line.bounds.empty() ? "must be given" : "; must be given";
     else if constexpr (is_optional<T>)

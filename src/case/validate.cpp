@@ -153,7 +153,9 @@ void judge_cells(Judge& judge, const Case& c) {
     judge_layout(judge, cells);
     const std::string why = fmt::format("with shape = \"{}\"", cells.shape);
     if (cells.shape != "ellipse") judge.forbid("cells.aspect_ratio", why);
-    if (cells.shape != "file") judge.forbid("cells.file", why);
+    if (cells.shape != "file")
+        for (const char* key : {"cells.file", "cells.pixel", "cells.y_down", "cells.smoothing"})
+            judge.forbid(key, why);
     if (cells.shape == "ellipse" && !judge.given("cells.aspect_ratio"))
         judge.tell({"cells.shape"}, "shape = \"ellipse\" needs aspect_ratio = 1.5");
     if (cells.shape == "file" && !judge.given("cells.file"))
@@ -216,6 +218,28 @@ void judge_fit(Judge& judge, const Case& c) {
         judge.tell({"cells.count"},
                    fmt::format("{} cells {} wide in two rows are longer than the box, {}",
                                *cells.count, rounded_text(Length{size}), to_text(c.domain.length)));
+}
+
+/// Whether the outline of a file has the size of a cell. In another unit than it is read in it is
+/// far too large, and would be made of any number of nodes, or far too small.
+bool judge_outline(Judge& judge, const Case& c) {
+    if (!c.cells.outline) return true;
+    const OutlineMeasures m = measures_of(*c.cells.outline);
+    const std::string size = fmt::format("the outline is {} by {}", rounded_text(Length{m.width}),
+                                         rounded_text(Length{m.height}));
+    const char* const unit =
+        "pixel in [cells] tells the unit of its numbers: pixel = \"0.1 um\", or \"1 mm\"";
+    if (std::max(m.width, m.height) > std::hypot(c.domain.length.si, c.domain.width.si))
+        judge.tell({"cells.file"},
+                   fmt::format("{}, longer than the box, {} by {}; {}", size,
+                               to_text(c.domain.length), to_text(c.domain.width), unit));
+    else if (m.radius < smallest_radius)
+        judge.tell({"cells.file"}, fmt::format("{}, smaller than any cell{}{}; {}", size,
+                                               c.numerics.dx ? " and than dx = " : "",
+                                               c.numerics.dx ? to_text(*c.numerics.dx) : "", unit));
+    else
+        return true;
+    return false;
 }
 
 void judge_positions(Judge& judge, const Case& c) {
@@ -347,11 +371,10 @@ std::vector<Fault> find_conflicts(const Case& c, const Places& places, const std
 std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
                                         const std::string& file) {
     Judge judge(places, file);
+    const bool cells_have_size = c.numerics.fluid_only || judge_outline(judge, c);
     if (!c.numerics.fluid_only) {
         judge_fit(judge, c);
         judge_positions(judge, c);
-        if (c.cells.file && !std::filesystem::is_regular_file(*c.cells.file))
-            judge.tell({"cells.file"}, fmt::format("there is no file {}", *c.cells.file));
     }
     if (c.layer.thickness && *c.layer.thickness >= c.domain.width)
         judge.tell({"layer.thickness"},
@@ -359,7 +382,7 @@ std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
                                to_text(*c.layer.thickness), to_text(c.domain.width)));
     judge_membrane(judge, c.membrane);
     judge_contact(judge, c.contact);
-    judge_grid(judge, c);
+    if (cells_have_size) judge_grid(judge, c);
     judge_times(judge, c);
     return std::move(judge.faults);
 }

@@ -1,32 +1,60 @@
 #include "membrane/outline_checks.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <compare>
+#include <cstdint>
 #include <numeric>
+#include <set>
 #include <vector>
 
 namespace tt {
 namespace {
 
-int sign(double v) { return (v > 0.0) - (v < 0.0); }
+/// A node on a grid of less than 2³⁰ steps across the outline: products of two differences, and
+/// their sums, fit into 64 bits. Ordered by x, then by y.
+struct GridPoint {
+    std::int64_t x = 0, y = 0;
+    auto operator<=>(const GridPoint&) const = default;
+};
 
-bool within(double v, double a, double b) { return std::min(a, b) <= v && v <= std::max(a, b); }
+/// Steps are a power of two, so that whole numbers, as of pixels, stay where they are.
+std::vector<GridPoint> on_grid(const Outline& outline) {
+    const auto [x_low, x_high] = std::minmax_element(outline.x.begin(), outline.x.end());
+    const auto [y_low, y_high] = std::minmax_element(outline.y.begin(), outline.y.end());
+    int exponent = 0;
+    std::frexp(std::max(*x_high - *x_low, *y_high - *y_low), &exponent);
+    std::vector<GridPoint> points(outline.x.size());
+    for (std::size_t k = 0; k < points.size(); ++k)
+        points[k] = {std::llround(std::ldexp(outline.x[k] - *x_low, 30 - exponent)),
+                     std::llround(std::ldexp(outline.y[k] - *y_low, 30 - exponent))};
+    return points;
+}
+
+int sign(std::int64_t v) { return (v > 0) - (v < 0); }
+
+/// +1 where c lies to the left of the line from a to b, −1 to the right, 0 on it.
+int side(GridPoint a, GridPoint b, GridPoint c) {
+    return sign((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+}
+
+/// Is c, on the line through a and b, between them?
+bool between(GridPoint a, GridPoint b, GridPoint c) {
+    return std::min(a, b) <= c && c <= std::max(a, b);
+}
 
 /// Do the closed segments a–b and c–d share a point?
-bool meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-    const int c_side = sign(cross(b - a, c - a));
-    const int d_side = sign(cross(b - a, d - a));
-    const int a_side = sign(cross(d - c, a - c));
-    const int b_side = sign(cross(d - c, b - c));
+bool meet(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
+    const int c_side = side(a, b, c), d_side = side(a, b, d);
+    const int a_side = side(c, d, a), b_side = side(c, d, b);
     if (c_side * d_side < 0 && a_side * b_side < 0) return true;
-    const auto on = [](int side, Vec2 p, Vec2 q, Vec2 r) {
-        return side == 0 && within(p.x, q.x, r.x) && within(p.y, q.y, r.y);
-    };
-    return on(c_side, c, a, b) || on(d_side, d, a, b) || on(a_side, a, c, d) || on(b_side, b, c, d);
+    return (c_side == 0 && between(a, b, c)) || (d_side == 0 && between(a, b, d)) ||
+           (a_side == 0 && between(c, d, a)) || (b_side == 0 && between(c, d, b));
 }
 
 /// Does the outline turn straight back at the node between two consecutive segments?
-bool folds_back(Vec2 before, Vec2 node, Vec2 after) {
-    return cross(node - before, after - node) == 0.0 && dot(node - before, after - node) < 0.0;
+bool folds_back(GridPoint before, GridPoint node, GridPoint after) {
+    return side(before, node, after) == 0 && (before < node) == (after < node);
 }
 
 /// Does every segment go forward around the mean of the nodes, and all of them together once? Then
@@ -44,35 +72,94 @@ bool goes_around_once(const Outline& outline) {
     return turns == 1;
 }
 
+/// The segments that a vertical line cuts, from bottom to top, while it moves over the nodes.
+class Sweep {
+public:
+    explicit Sweep(std::vector<GridPoint> points)
+        : points_(std::move(points)), cut_(Below{this}), place_(points_.size(), cut_.end()) {}
+
+    std::optional<SelfCrossing> run() {
+        std::vector<int> order(points_.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::sort(order.begin(), order.end(), [&](int a, int b) {
+            return points_[a] != points_[b] ? points_[a] < points_[b] : a < b;
+        });
+        for (std::size_t k = 1; k < order.size(); ++k)
+            if (points_[order[k - 1]] == points_[order[k]]) return pair(order[k - 1], order[k]);
+        for (const int node : order)
+            if (const auto found = pass(node)) return found;
+        return std::nullopt;
+    }
+
+private:
+    /// Which of two segments cut by the sweep line lies below the other. Neither: they meet.
+    struct Below {
+        const Sweep* sweep;
+        bool operator()(int a, int b) const {
+            const auto [a_left, a_right] = sweep->ends(a);
+            const auto [b_left, b_right] = sweep->ends(b);
+            if (a_left == b_left) return side(a_left, a_right, b_right) > 0;
+            if (a_left < b_left) return side(a_left, a_right, b_left) > 0;
+            return side(b_left, b_right, a_left) < 0;
+        }
+    };
+    using Place = std::set<int, Below>::iterator;
+
+    int after(int node) const { return node + 1 < static_cast<int>(points_.size()) ? node + 1 : 0; }
+    int before(int node) const {
+        return node > 0 ? node - 1 : static_cast<int>(points_.size()) - 1;
+    }
+    std::pair<GridPoint, GridPoint> ends(int segment) const {
+        return std::minmax(points_[segment], points_[after(segment)]);
+    }
+    static SelfCrossing pair(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+    bool crosses(int a, int b) const {
+        if (b == after(a)) return folds_back(points_[a], points_[b], points_[after(b)]);
+        if (a == after(b)) return folds_back(points_[b], points_[a], points_[after(a)]);
+        return meet(points_[a], points_[after(a)], points_[b], points_[after(b)]);
+    }
+
+    /// Takes out the segments that end at the node, then puts in those that start there.
+    std::optional<SelfCrossing> pass(int node) {
+        for (const int segment : {before(node), node})
+            if (ends(segment).second == points_[node])
+                if (const auto found = take_out(segment)) return found;
+        for (const int segment : {before(node), node})
+            if (ends(segment).first == points_[node])
+                if (const auto found = put_in(segment)) return found;
+        return std::nullopt;
+    }
+
+    std::optional<SelfCrossing> take_out(int segment) {
+        const Place next = cut_.erase(place_[segment]);
+        if (next == cut_.begin() || next == cut_.end()) return std::nullopt;
+        const int low = *std::prev(next), high = *next;
+        if (crosses(low, high)) return pair(low, high);
+        return std::nullopt;
+    }
+
+    std::optional<SelfCrossing> put_in(int segment) {
+        const auto [place, is_new] = cut_.insert(segment);
+        if (!is_new) return pair(segment, *place);
+        place_[segment] = place;
+        if (place != cut_.begin() && crosses(*std::prev(place), segment))
+            return pair(*std::prev(place), segment);
+        const Place next = std::next(place);
+        if (next != cut_.end() && crosses(segment, *next)) return pair(segment, *next);
+        return std::nullopt;
+    }
+
+    std::vector<GridPoint> points_;
+    std::set<int, Below> cut_;
+    std::vector<Place> place_;  ///< of each segment that is cut
+};
+
 }  // namespace
 
 std::optional<SelfCrossing> self_crossing(const Outline& outline) {
     if (goes_around_once(outline)) return std::nullopt;
-    const int n = outline.size();
-    const auto end = [&](int k) { return outline[k + 1 < n ? k + 1 : 0]; };
-    const auto low = [&](int k) { return std::min(outline[k].x, end(k).x); };
-    const auto high = [&](int k) { return std::max(outline[k].x, end(k).x); };
-    const auto crossing = [&](int k, int m) {
-        if (m == k + 1) return folds_back(outline[k], outline[m], end(m));
-        if (k == 0 && m == n - 1) return folds_back(outline[m], outline[k], end(k));
-        return within(outline[m].y, outline[k].y, end(k).y) ||
-                       within(end(m).y, outline[k].y, end(k).y) ||
-                       within(outline[k].y, outline[m].y, end(m).y)
-                   ? meet(outline[k], end(k), outline[m], end(m))
-                   : false;
-    };
-    std::vector<int> order(n);
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int k, int m) { return low(k) < low(m); });
-    std::optional<SelfCrossing> found;
-    for (int i = 0; i < n; ++i) {
-        for (int j = i + 1; j < n && low(order[j]) <= high(order[i]); ++j) {
-            const auto [k, m] = std::minmax(order[i], order[j]);
-            if (found && (found->first < k || (found->first == k && found->second <= m))) continue;
-            if (crossing(k, m)) found = SelfCrossing{k, m};
-        }
-    }
-    return found;
+    return Sweep(on_grid(outline)).run();
 }
 
 }  // namespace tt

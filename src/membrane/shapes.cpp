@@ -1,5 +1,6 @@
 #include "membrane/shapes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -75,6 +76,42 @@ double area_of(const std::vector<Vec2>& curve) {
     for (std::size_t k = 0; k < curve.size(); ++k)
         doubled += cross(curve[k], curve[(k + 1) % curve.size()]);
     return 0.5 * doubled;
+}
+
+Vec2 centroid_of(const std::vector<Vec2>& curve) {
+    const Vec2 origin = curve.front();
+    double area = 0.0;
+    Vec2 moment;
+    for (std::size_t k = 0; k < curve.size(); ++k) {
+        const Vec2 a = curve[k] - origin, b = curve[(k + 1) % curve.size()] - origin;
+        area += cross(a, b) / 2.0;
+        moment += (cross(a, b) / 6.0) * (a + b);
+    }
+    return origin + moment / area;
+}
+
+std::vector<Vec2> smoothed(const std::vector<Vec2>& curve, double length) {
+    constexpr double points_a_length = 4.0, most = 200'000.0;
+    const double perimeter = perimeter_of(curve);
+    const int n =
+        static_cast<int>(std::clamp(std::ceil(points_a_length * perimeter / length), 16.0, most));
+    const std::vector<Vec2> even = at_equal_arc_length(curve, n);
+    const int reach = std::min(n / 2, static_cast<int>(std::ceil(4.0 * length * n / perimeter)));
+    std::vector<double> weights;
+    double sum = 0.0;
+    for (int m = -reach; m <= reach; ++m) {
+        const double distance = m * perimeter / (n * length);
+        weights.push_back(std::exp(-0.5 * distance * distance));
+        sum += weights.back();
+    }
+    std::vector<Vec2> smooth(n);
+    for (int k = 0; k < n; ++k)
+        for (int m = -reach; m <= reach; ++m)
+            smooth[k] += (weights[m + reach] / sum) * even[(k + m + n) % n];
+    const Vec2 centre = centroid_of(smooth);
+    const double scale = std::sqrt(area_of(curve) / area_of(smooth));
+    for (Vec2& p : smooth) p = centre + scale * (p - centre);
+    return smooth;
 }
 
 std::vector<Vec2> placed(std::vector<Vec2> curve, double angle, Vec2 shift) {

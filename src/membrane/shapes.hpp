@@ -29,6 +29,14 @@ double perimeter_of(const std::vector<Vec2>& curve);
 /// Enclosed area of the closed polygon, positive if counter-clockwise.
 double area_of(const std::vector<Vec2>& curve);
 
+/// Centroid of the enclosed area, exact for the polygon. Precondition: the area is not zero.
+Vec2 centroid_of(const std::vector<Vec2>& curve);
+
+/// The closed polygon with its corners rounded: mean of the points along it, weighted by a Gaussian
+/// of standard deviation `length` in arc length, then scaled about its centroid to the same area. A
+/// wave of length l along the outline keeps e^{−2 (π length/l)²} of its height.
+std::vector<Vec2> smoothed(const std::vector<Vec2>& curve, double length);
+
 /// The polygon turned counter-clockwise by `angle` [rad] and moved by `shift`.
 std::vector<Vec2> placed(std::vector<Vec2> curve, double angle, Vec2 shift);
 

@@ -127,6 +127,7 @@ void CaseRun::start(const std::function<State()>& initial) {
                     steps_, model_.lattice.nx, model_.lattice.ny, state_.cells.cell_count(),
                     state_.cells.cell_count() == 1 ? "" : "s", model_.threads,
                     model_.threads == 1 ? "" : "s"));
+    for (const std::string& note : request_.notes) say(note);
     add_observers();
     for (const auto& observer : observers_) observer->start();
     health_.emplace(request_.limits, state_);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "exchange/exchange.hpp"
 #include "observe/progress.hpp"
@@ -23,6 +24,7 @@ struct RunRequest {
     std::string resolved_toml;  ///< every default and derived number
     std::string identity;       ///< text of all that determines a state; empty: resolved_toml
     std::string command_line;
+    std::vector<std::string> notes;  ///< on what was read: told as a run starts
     Time end;
     Time average_from;             ///< start of the averaging window, which ends with the run
     Time series, frames;           ///< intervals

@@ -430,7 +430,7 @@ TEST(SelfCrossing, is_found_where_a_node_was_pulled_through) {
     }
 }
 
-TEST(SelfCrossing, names_the_lowest_pair) {
+TEST(SelfCrossing, names_the_two_segments) {
     Suspension cells;
     add_cell(cells, circle(10.0, 40));
     std::swap(cells.x[10], cells.x[11]);  // three segments cross: 9 with 11
@@ -439,6 +439,58 @@ TEST(SelfCrossing, names_the_lowest_pair) {
     ASSERT_TRUE(crossing.has_value());
     EXPECT_EQ(crossing->first, 9);
     EXPECT_EQ(crossing->second, 11);
+}
+
+TEST(SelfCrossing, agrees_with_comparing_all_pairs) {
+    // Corners on a coarse grid: many touch, many sides lie on one line, many corners coincide.
+    const auto side = [](Vec2 a, Vec2 b, Vec2 c) {
+        const double area = cross(b - a, c - a);
+        return (area > 0.0) - (area < 0.0);
+    };
+    const auto on = [&](Vec2 a, Vec2 b, Vec2 p) {
+        return side(a, b, p) == 0 && dot(p - a, p - b) <= 0.0;
+    };
+    const auto meet = [&](Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+        return (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) ||
+               on(a, b, c) || on(a, b, d) || on(c, d, a) || on(c, d, b);
+    };
+    Random random(12);
+    int simple = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const int n = 4 + trial % 5;
+        std::vector<double> x, y;
+        for (int k = 0; k < n; ++k) {
+            x.push_back(std::floor(random.uniform(0.0, 7.0)));
+            y.push_back(std::floor(random.uniform(0.0, 7.0)));
+        }
+        const Outline polygon{x, y};
+        bool any = false;
+        for (int k = 0; k < n; ++k) {
+            const Vec2 a = polygon[k], b = polygon[(k + 1) % n], c = polygon[(k + 2) % n];
+            any = any || a == b || (side(a, b, c) == 0 && dot(b - a, c - b) < 0.0);
+            for (int m = k + 2; m < n && (k > 0 || m < n - 1); ++m)
+                any = any || meet(a, b, polygon[m], polygon[(m + 1) % n]);
+        }
+        EXPECT_EQ(self_crossing(polygon).has_value(), any) << trial;
+        simple += any ? 0 : 1;
+    }
+    EXPECT_GT(simple, 1000);
+}
+
+TEST(SelfCrossing, of_a_long_zigzag_takes_no_time) {
+    // A comb of 100 000 nodes, whose teeth all overlap in x: comparing all pairs takes minutes.
+    std::vector<double> x, y;
+    for (int k = 0; k < 99'998; ++k) {
+        x.push_back(k % 2 == 0 ? 0.0 : 1000.0);
+        y.push_back(0.01 * k);
+    }
+    for (const double end : {y.back(), 0.0}) {
+        x.push_back(-1.0);
+        y.push_back(end);
+    }
+    EXPECT_FALSE(self_crossing({x, y}).has_value());
+    std::swap(y[5000], y[5002]);
+    EXPECT_TRUE(self_crossing({x, y}).has_value());
 }
 
 TEST(Contact, survives_positions_that_are_not_finite) {

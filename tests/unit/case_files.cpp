@@ -26,7 +26,7 @@ std::string content(const fs::path& path) {
 /// All faults of a text, one a line.
 std::string faults_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
     try {
-        tt::parse_case(text, "case.toml", overrides);
+        tt::parse_case(text, "case.toml", overrides, ".");
     } catch (const tt::CaseError& error) {
         return error.what();
     }
