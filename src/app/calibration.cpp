@@ -178,7 +178,7 @@ Json to_json(const Calibration& c) {
     const std::vector<Goal> goals = c.goals();
     Json j;
     j["name"] = c.targets.name;
-    j["program"] = fmt::format("tanktread {}", version);
+    j["program"] = "tanktread " + version_text();
     j["form"] = hardening_of(c).form;
     j["D"] = to_json(best_D(c));
     j["beta"] = to_json(best_beta(c));

@@ -50,9 +50,7 @@ void describe_program(CLI::App& app) {
         "Exit codes: 0 done, 1 internal error or failed selftest, 2 bad command or case,\n"
         "3 unstable (last good state kept), 4 results directory in use or of another\n"
         "case, 5 cannot read or write, 75 stopped early (run again to resume).");
-    app.set_version_flag("--version",
-                         fmt::format("tanktread {} ({}, {})", version, compiler, build_type),
-                         "show the version");
+    app.set_version_flag("--version", "tanktread " + version_text(), "show the version");
     app.set_help_flag("-h,--help", "show this help");
     app.formatter(std::make_shared<HelpFormatter>());
     app.require_subcommand(1);

@@ -193,8 +193,8 @@ void change_rows(const T& target, const Patch& now, const Patch& before, std::pa
 template <class F>
 void with_target(const ViscosityModel& model, Field& fraction, Relaxation& relaxation, F&& f) {
     std::visit(
-        [&](const auto& mean, const auto& rule) {
-            f(Target{model, mean, rule, fraction, relaxation});
+        [&]<class Mean, class Rule>(const Mean& mean, const Rule& rule) {
+            f(Target<Mean, Rule>{model, mean, rule, fraction, relaxation});
         },
         model.mean, model.collision);
 }

@@ -37,10 +37,13 @@ void write_provenance(const std::filesystem::path& results, const Provenance& p,
         sessions.push_back(entry);
     }
     sessions[static_cast<std::size_t>(session.number)] = entry;
+    const Json commit = revision.commit.empty() ? Json() : Json(revision.commit);
     const Json all{{"name", p.name},
                    {"case_hash", p.case_hash},
                    {"program", "tanktread"},
                    {"version", version},
+                   {"commit", commit},
+                   {"commit_changed", revision.changed},
                    {"compiler", compiler},
                    {"compiler_flags", compiler_flags},
                    {"build_type", build_type},

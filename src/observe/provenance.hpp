@@ -26,8 +26,9 @@ struct Session {
     int number = -1;     ///< place in the list; −1 before the first write
 };
 
-/// PROVENANCE.json: version, compiler, flags, processor, threads, hashes, and one entry per
-/// session: the first write of a session adds its entry and sets its number, later ones replace it.
+/// PROVENANCE.json: version, commit (null: from no repository), compiler, flags, processor,
+/// threads, hashes, and one entry per session: the first write of a session adds its entry and sets
+/// its number, later ones replace it.
 void write_provenance(const std::filesystem::path& results, const Provenance& provenance,
                       Session& session, const std::string& state_hash);
 

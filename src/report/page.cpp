@@ -165,7 +165,7 @@ std::string report_page(std::span<const Results> runs, const std::vector<Figure>
     page += fmt::format(
         "<p class=\"soft\">Written by tanktread {}; charts by uPlot.</p>\n<details>"
         "<summary>Licence of uPlot</summary><pre>{}</pre></details>\n",
-        version, html(assets::chart_licence));
+        html(version_text()), html(assets::chart_licence));
     page +=
         "<script type=\"application/json\" id=\"data\">" + embedded(data) + "</script>\n<script>\n";
     page.append(assets::chart_script).append("\n</script>\n<script>\n").append(assets::page_script);
