@@ -84,7 +84,10 @@ void ArchiveWriter::commit(const fs::path& previous) {
     temporary_.clear();
 }
 
-ArchiveReader::ArchiveReader(const fs::path& path) : path_(path), bytes_(read_file(path)) {
+ArchiveReader::ArchiveReader(const fs::path& path) : ArchiveReader(read_file(path), path) {}
+
+ArchiveReader::ArchiveReader(std::string bytes, fs::path path)
+    : path_(std::move(path)), bytes_(std::move(bytes)) {
     if (bytes_.size() < sizeof magic + sizeof(std::uint32_t) + sizeof hash_)
         throw_damaged("it is cut short");
     if (std::memcmp(bytes_.data(), magic, sizeof magic) != 0)

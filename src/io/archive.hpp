@@ -86,6 +86,8 @@ private:
 class ArchiveReader {
 public:
     explicit ArchiveReader(const std::filesystem::path& path);
+    /// Of the `bytes` of the file `path`.
+    ArchiveReader(std::string bytes, std::filesystem::path path);
 
     bool has(std::string_view name) const { return sections_.count(std::string(name)) > 0; }
     /// The section `name`. DamagedArchive if it is absent or of another type.
