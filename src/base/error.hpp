@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -51,14 +52,20 @@ struct Instability {
     double time = 0.0;  ///< [s]
     int cell = -1;
     int node = -1;
+    double x = std::numeric_limits<double>::quiet_NaN();  ///< place in the box [m]; nan: everywhere
+    double y = std::numeric_limits<double>::quiet_NaN();
     std::string cause;  ///< likely cause
     std::string cure;   ///< what to change
 };
 
-/// The simulation left what it can compute (exit 3). The last good state is kept.
+/// One line of a message under its first: "  label: text", broken at 80 columns.
+std::string labelled(const std::string& label, const std::string& text);
+
+/// The simulation left what it can compute (exit 3). The message says what was seen, where, why,
+/// and then `more`, lines of its own.
 class SimulationError : public std::runtime_error {
 public:
-    explicit SimulationError(Instability what);
+    explicit SimulationError(Instability what, const std::string& more = {});
     const Instability& instability() const { return what_; }
 
 private:

@@ -45,6 +45,16 @@ void keep(const fs::path& path, const fs::path& previous) {
 
 }  // namespace
 
+void ArchiveOutput::put_bytes(std::string_view name, char code, std::uint64_t count,
+                              const void* bytes, std::size_t size) {
+    const auto length = static_cast<std::uint32_t>(name.size());
+    write(&length, sizeof length);
+    write(name.data(), name.size());
+    write(&code, 1);
+    write(&count, sizeof count);
+    write(bytes, size);
+}
+
 ArchiveWriter::ArchiveWriter(fs::path path)
     : path_(std::move(path)),
       temporary_(with_suffix(path_, ".tmp")),
@@ -60,16 +70,6 @@ ArchiveWriter::~ArchiveWriter() {
 void ArchiveWriter::write(const void* bytes, std::size_t size) {
     checksum_.add(bytes, size);
     file_.write(bytes, size);
-}
-
-void ArchiveWriter::put_bytes(std::string_view name, char code, std::uint64_t count,
-                              const void* bytes, std::size_t size) {
-    const auto length = static_cast<std::uint32_t>(name.size());
-    write(&length, sizeof length);
-    write(name.data(), name.size());
-    write(&code, 1);
-    write(&count, sizeof count);
-    write(bytes, size);
 }
 
 void ArchiveWriter::commit(const fs::path& previous) {

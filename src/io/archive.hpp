@@ -38,16 +38,10 @@ constexpr char element_code() {
         return 'c';
 }
 
-/// Named arrays in one binary file: the magic word, then per section the length of its name (u32),
-/// the name, the element code (1 byte), the count (u64) and the elements as they lie in memory; a
-/// name of length 0; XXH64 of everything before. Written beside its place and moved there by
-/// `commit`, so the place holds an old whole archive or a new one.
-class ArchiveWriter {
+/// Takes named arrays, one after the other.
+class ArchiveOutput {
 public:
-    explicit ArchiveWriter(std::filesystem::path path);
-    ~ArchiveWriter();
-    ArchiveWriter(const ArchiveWriter&) = delete;
-    ArchiveWriter& operator=(const ArchiveWriter&) = delete;
+    virtual ~ArchiveOutput() = default;
 
     template <class T>
     void put(std::string_view name, std::span<const T> values) {
@@ -65,15 +59,48 @@ public:
         put(name, std::span<const char>(text));
     }
 
+private:
+    void put_bytes(std::string_view name, char code, std::uint64_t count, const void* bytes,
+                   std::size_t size);
+    virtual void write(const void* bytes, std::size_t size) = 0;
+};
+
+/// Named arrays kept in memory, to be put into an archive later.
+class ArchiveBuffer : public ArchiveOutput {
+public:
+    const std::string& bytes() const { return bytes_; }
+    void clear() { bytes_.clear(); }
+
+private:
+    void write(const void* bytes, std::size_t size) override {
+        bytes_.append(static_cast<const char*>(bytes), size);
+    }
+    std::string bytes_;
+};
+
+/// Named arrays in one binary file: the magic word, then per section the length of its name (u32),
+/// the name, the element code (1 byte), the count (u64) and the elements as they lie in memory; a
+/// name of length 0; XXH64 of everything before. Written beside its place and moved there by
+/// `commit`, so the place holds an old whole archive or a new one.
+class ArchiveWriter : public ArchiveOutput {
+public:
+    explicit ArchiveWriter(std::filesystem::path path);
+    ~ArchiveWriter() override;
+    ArchiveWriter(const ArchiveWriter&) = delete;
+    ArchiveWriter& operator=(const ArchiveWriter&) = delete;
+
+    /// All that was put into `buffer`.
+    void put_all(const ArchiveBuffer& buffer) {
+        write(buffer.bytes().data(), buffer.bytes().size());
+    }
+
     /// Finishes, syncs and moves the archive into its place. What stood there stays as `previous`.
     void commit(const std::filesystem::path& previous);
     /// The same, keeping nothing of what stood there.
     void commit() { commit({}); }
 
 private:
-    void put_bytes(std::string_view name, char code, std::uint64_t count, const void* bytes,
-                   std::size_t size);
-    void write(const void* bytes, std::size_t size);
+    void write(const void* bytes, std::size_t size) override;
 
     std::filesystem::path path_;
     std::filesystem::path temporary_;

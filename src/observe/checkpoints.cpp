@@ -8,16 +8,22 @@
 
 namespace tt {
 
+void put_surroundings(ArchiveOutput& archive, const std::string& case_hash, double wall_seconds,
+                      const Observers& observers) {
+    archive.put_text("case", case_hash);
+    archive.put_value("wall_seconds", wall_seconds);
+    for (const auto& observer : observers) observer->save(archive);
+}
+
 Checkpoints::Checkpoints(const std::filesystem::path& results, std::string case_hash)
     : folder_(results / "checkpoint"), case_hash_(std::move(case_hash)) {}
 
 void Checkpoints::save(const State& state, const Observers& observers, double wall_seconds) {
     make_directory(folder_);
+    for (const auto& observer : observers) observer->sync();
     ArchiveWriter archive(current());
-    archive.put_text("case", case_hash_);
-    archive.put_value("wall_seconds", wall_seconds);
+    put_surroundings(archive, case_hash_, wall_seconds, observers);
     save_state(archive, state);
-    for (const auto& observer : observers) observer->save(archive);
     archive.commit(previous());
     saved_step_ = state.step;
 }

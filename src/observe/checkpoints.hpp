@@ -17,8 +17,13 @@ namespace tt {
 
 using Observers = std::vector<std::unique_ptr<Observer>>;
 
+/// What a checkpoint holds beside the state: the hash of the case, the wall time spent so far and
+/// what the observers remember.
+void put_surroundings(ArchiveOutput& archive, const std::string& case_hash, double wall_seconds,
+                      const Observers& observers);
+
 /// The folder checkpoint/ of a results directory: `current` and, one older, `previous`. Each holds
-/// the state, what the observers remember, the hash of the case and the wall time spent so far.
+/// the state and its surroundings.
 class Checkpoints {
 public:
     Checkpoints(const std::filesystem::path& results, std::string case_hash);

@@ -24,7 +24,7 @@ public:
     void start() override;
     void resume(const ArchiveReader& archive) override;
     void observe(const Snapshot& snapshot) override;
-    void save(ArchiveWriter& archive) override;
+    void save(ArchiveOutput& archive) const override;
     void finish() override;
 
 private:

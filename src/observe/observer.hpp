@@ -22,8 +22,10 @@ public:
     virtual void resume(const ArchiveReader& archive) = 0;
     /// A due step, or the last.
     virtual void observe(const Snapshot& snapshot) = 0;
-    /// What `resume` needs. Its files are on the disk when this returns.
-    virtual void save(ArchiveWriter& archive) = 0;
+    /// Its files are on the disk, with all it has seen, when this returns.
+    virtual void sync() {}
+    /// What `resume` needs.
+    virtual void save(ArchiveOutput& archive) const = 0;
     /// After the last step and its checkpoint.
     virtual void finish() {}
 

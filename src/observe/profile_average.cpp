@@ -30,11 +30,10 @@ void ProfileAverage::observe(const Snapshot& snapshot) {
     ++samples_;
 }
 
-void ProfileAverage::save(ArchiveWriter& archive) {
+void ProfileAverage::save(ArchiveOutput& archive) const {
     archive.put_value("profiles.samples", samples_);
     archive.put("profiles.velocity", velocity_);
     archive.put("profiles.hematocrit", hematocrit_);
-    write();
 }
 
 void ProfileAverage::write() const {

@@ -36,7 +36,8 @@ public:
     void start() override {}
     void resume(const ArchiveReader& archive) override;
     void observe(const Snapshot& snapshot) override;
-    void save(ArchiveWriter& archive) override;
+    void sync() override { write(); }
+    void save(ArchiveOutput& archive) const override;
     void finish() override { write(); }
 
 private:

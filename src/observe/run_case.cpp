@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <limits>
-#include <system_error>
 
 #include <fmt/format.h>
 
 #include "observe/checkpoints.hpp"
 #include "observe/duty.hpp"
+#include "observe/failure.hpp"
 #include "observe/frame_recorder.hpp"
+#include "observe/last_good.hpp"
 #include "observe/profile_average.hpp"
 #include "observe/provenance.hpp"
 #include "observe/series.hpp"
@@ -32,6 +33,7 @@ public:
 
 private:
     std::string case_hash() const;
+    void log(const std::string& message);
     void say(const std::string& message);
     void add_observers();
     void start(const std::function<State()>& initial);
@@ -43,8 +45,9 @@ private:
     void observe();
     void attend_to_duties();
     void save_checkpoint();
+    void keep_good();
     void finish();
-    void record_failure(const SimulationError& error);
+    SimulationError failed(const SimulationError& error);
 
     bool at_end() const { return state_.step >= steps_; }
     bool at_stop() const { return state_.step >= stop_; }
@@ -60,6 +63,7 @@ private:
     const std::int64_t stop_;  ///< the step at which this session stops
     ResultsDirectory results_;
     Checkpoints checkpoints_;
+    LastGood good_;
     Progress progress_;
     OutputFile log_;
     State state_;
@@ -81,6 +85,7 @@ CaseRun::CaseRun(const RunRequest& request, const Model& model, Exchange& exchan
                           : steps_),
       results_(request.directory, case_hash(), request.start),
       checkpoints_(results_.path(), case_hash()),
+      good_(steps_, case_hash()),
       progress_(request.progress),
       log_(results_.path() / "run.log", OutputFile::Mode::append),
       status_duty_(2.0),
@@ -99,8 +104,12 @@ std::string CaseRun::case_hash() const {
         checksum(request_.identity.empty() ? request_.resolved_toml : request_.identity));
 }
 
-void CaseRun::say(const std::string& message) {
+void CaseRun::log(const std::string& message) {
     log_.append(fmt::format("{} {}\n", utc_now(), message));
+}
+
+void CaseRun::say(const std::string& message) {
+    log(message);
     progress_.say(message);
 }
 
@@ -134,6 +143,7 @@ void CaseRun::start(const std::function<State()>& initial) {
     if (auto fault = health_->examine(model_, state_)) throw SimulationError(*fault);
     for (const auto& observer : observers_) observer->observe(Snapshot(model_, state_));
     save_checkpoint();
+    keep_good();
 }
 
 void CaseRun::resume(const ArchiveReader& archive) {
@@ -198,6 +208,9 @@ void CaseRun::save_checkpoint() {
     checkpoint_duty_.done();
 }
 
+/// Likewise.
+void CaseRun::keep_good() { good_.take(state_, observers_, wall_seconds()); }
+
 void CaseRun::attend_to_duties() {
     if (progress_duty_.due()) {
         progress_.show(standing());
@@ -207,16 +220,21 @@ void CaseRun::attend_to_duties() {
         write_status(results_.path(), standing(), "running");
         status_duty_.done();
     }
-    if (checkpoint_duty_.due()) save_checkpoint();
+    if (checkpoint_duty_.due()) {
+        save_checkpoint();
+        keep_good();
+    } else if (good_.due(state_.step)) {
+        keep_good();
+    }
 }
 
 void CaseRun::loop() {
     while (!at_stop() && !stop_requested() && !time_limit_.due()) {
-        std::int64_t until = stop_;
+        std::int64_t until = std::min(stop_, good_.next());
         for (const auto& observer : observers_)
             until = std::min(until, observer->schedule().next_after(state_.step));
         const auto wake = std::min({status_duty_.next(), progress_duty_.next(),
-                                    checkpoint_duty_.next(), time_limit_.next()});
+                                    checkpoint_duty_.next(), time_limit_.next(), good_.wake()});
         run_steps(model_, state_, exchange_, *health_, until, wake, &step_times_);
         if (state_.step == until) observe();
         attend_to_duties();
@@ -244,29 +262,17 @@ void CaseRun::finish() {
                     input.wall_seconds, input.mlups, input.cell_steps_per_second));
 }
 
-/// Leaves failure/ with the last good state, the one that failed, and why. Never masks the error it
-/// records.
-void CaseRun::record_failure(const SimulationError& error) {
+/// Leaves failure/, and tells with what was seen where it is. Never masks the error it records.
+SimulationError CaseRun::failed(const SimulationError& error) {
     try {
-        const fs::path folder = results_.path() / "failure";
-        make_directory(folder);
-        std::error_code code;
-        fs::copy_file(checkpoints_.current(), folder / "last_good",
-                      fs::copy_options::overwrite_existing, code);
-        ArchiveWriter archive(folder / "failing");
-        archive.put_text("case", case_hash());
-        save_state(archive, state_);
-        archive.commit();
-        replace_file(
-            folder / "why.txt",
-            fmt::format("{}\n\nlast_good is the checkpoint of step {}; failing is the state of "
-                        "step {}, to look at only.\n",
-                        error.what(), checkpoints_.saved_step(), state_.step),
-            Durability::power);
+        const SimulationError told = record_failure(results_.path(), request_.name,
+                                                    error.instability(), model_, state_, good_);
         record("failed");
-        say(error.what());
+        log(told.what());
+        return told;
     } catch (const IoError& second) {
         progress_.say(fmt::format("the failure could not be recorded: {}", second.what()));
+        return error;
     }
 }
 
@@ -283,6 +289,7 @@ RunOutcome CaseRun::run(const std::function<State()>& initial) {
             // Left by an earlier end, where the end was moved since.
             fs::remove(results_.path() / "summary.json");
             for (const auto& observer : observers_) observer->resume(*archive);
+            keep_good();
             record("running");
             say(fmt::format("resumed at step {} of {}", state_.step, steps_));
         } else if (was_done_without_state()) {
@@ -301,8 +308,7 @@ RunOutcome CaseRun::run(const std::function<State()>& initial) {
         finish();
         return outcome(RunOutcome::Ending::done);
     } catch (const SimulationError& error) {
-        record_failure(error);
-        throw;
+        throw failed(error);
     }
 }
 

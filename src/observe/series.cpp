@@ -48,9 +48,12 @@ void Series::observe(const Snapshot& snapshot) {
     series_->append(csv_row(snapshot.run()));
 }
 
-void Series::save(ArchiveWriter& archive) {
+void Series::sync() {
     series_->sync();
     cells_->sync();
+}
+
+void Series::save(ArchiveOutput& archive) const {
     archive.put_value("series.size", series_->size());
     archive.put_value("cells.size", cells_->size());
     archive.put_value("series.last_time", last_time_);

@@ -19,7 +19,8 @@ public:
     void start() override;
     void resume(const ArchiveReader& archive) override;
     void observe(const Snapshot& snapshot) override;
-    void save(ArchiveWriter& archive) override;
+    void sync() override;
+    void save(ArchiveOutput& archive) const override;
 
 private:
     std::vector<CellMeasures> with_phase(const Snapshot& snapshot);

@@ -7,6 +7,7 @@
 #include "base/version.hpp"
 #include "io/file.hpp"
 #include "report/assets.hpp"
+#include "report/failure_section.hpp"
 #include "report/figures.hpp"
 #include "report/html.hpp"
 #include "report/page_tables.hpp"
@@ -112,6 +113,7 @@ std::string introduction(std::span<const Results> runs, const std::vector<std::s
         text += "<p>" + name + html(case_in_words(runs[r])) + "</p>\n";
         const std::string note = unfinished_note(runs[r]);
         if (!note.empty()) text += "<p class=\"notice\">" + name + html(note) + "</p>\n";
+        text += failure_section(runs[r], labels[r]);
     }
     return text;
 }

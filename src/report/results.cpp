@@ -80,6 +80,13 @@ void gather(const Json& json, Results& results) {
     }
 }
 
+void read_failure(const fs::path& folder, Results& r) {
+    r.failure = json_if_there(folder / "failure.json");
+    if (fs::exists(folder / "why.txt")) r.why = read_file(folder / "why.txt");
+    if (fs::exists(folder / "frames.h5"))
+        r.failing = std::make_shared<const FramesReader>(folder / "frames.h5");
+}
+
 std::string case_name(const Results& results) {
     if (const std::string name = results.setting("name"); !name.empty()) return name;
     return fs::absolute(results.directory / "").parent_path().filename().string();
@@ -108,6 +115,7 @@ Results read_results(const fs::path& directory) {
     r.profiles = table_if_there(directory / "profiles.csv");
     if (fs::exists(directory / "frames.h5"))
         r.frames = std::make_shared<const FramesReader>(directory / "frames.h5");
+    read_failure(directory / "failure", r);
     if (r.settings.empty() && r.series.names.empty() && !r.frames)
         throw IoError(
             fmt::format("{}: holds no results (no case, no series.csv, no frames.h5); "

@@ -31,7 +31,10 @@ struct Results {
     std::vector<SummaryLine> quantities;          ///< of the summary, in its order
     double window_begin = 0.0, window_end = 0.0;  ///< of averaging [s]; equal: none
     Table series, cells, profiles;
-    std::shared_ptr<const FramesReader> frames;  ///< nullptr: no frames.h5
+    std::shared_ptr<const FramesReader> frames;   ///< nullptr: no frames.h5
+    Json failure;                                 ///< of a run that blew up; else empty
+    std::string why;                              ///< the same in words
+    std::shared_ptr<const FramesReader> failing;  ///< its last good and its failing state
 
     /// A setting as its text, or `otherwise`.
     std::string setting(const std::string& key, const std::string& otherwise = "") const;

@@ -4,8 +4,6 @@
 
 namespace tt {
 
-namespace {
-
 /// u = Σ f c + ½ F of the uniform force: what an observer sees before the first step.
 void fill_velocity(const State& state, VectorField& velocity) {
     const Lattice& lattice = velocity.x.lattice();
@@ -17,8 +15,6 @@ void fill_velocity(const State& state, VectorField& velocity) {
         }
     }
 }
-
-}  // namespace
 
 void derive(const Model& model, State& state) {
     const Lattice& lattice = model.lattice;

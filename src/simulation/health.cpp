@@ -46,8 +46,22 @@ Instability fault(const Model& model, const State& state, Reading reading) {
     return what;
 }
 
+/// Tells where, in the box.
+void place(const Model& model, Vec2 position, Instability& what) {
+    const double length = model.lattice.nx;
+    what.x = (position.x - length * std::floor(position.x / length)) * model.scales.length;
+    what.y = position.y * model.scales.length;
+}
+
+Vec2 centre_of(const Outline& outline) {
+    Vec2 sum{};
+    for (int k = 0; k < outline.size(); ++k) sum += outline[k];
+    return sum / static_cast<double>(outline.size());
+}
+
 Instability fault_at_node(const Model& model, const State& state, int node, Reading reading) {
     Instability what = fault(model, state, std::move(reading));
+    place(model, state.cells.position(node), what);
     what.cell = cell_of(state.cells, node);
     what.node = node - state.cells.first[what.cell];
     return what;
@@ -120,6 +134,7 @@ std::optional<Instability> speeds(const Model& model, const State& state, double
             model, state, {fmt::format("Mach number at site ({}, {})", i, j), value, mach, ""});
         what.cause = "the flow is too fast for the time step, or a membrane force has blown up";
         what.cure = "a smaller dt (or a lower density_scale) or a slower flow";
+        place(model, Lattice::position(i, j), what);
         return what;
     }
     return std::nullopt;
@@ -135,6 +150,7 @@ std::optional<Instability> areas(const Model& model, const State& state, double 
             error <= -1.0 ? "area error (the outline is inside out)" : "area error";
         Instability what = fault(model, state, {quantity, 100.0 * error, 100.0 * limit, "%"});
         what.cell = c;
+        place(model, centre_of(outline(cells, c)), what);
         what.cause = "the membrane leaks or the cell collapsed";
         what.cure = "a larger area_stiffness, a finer node spacing or a smaller dt";
         return what;
@@ -173,6 +189,7 @@ std::optional<Instability> Health::node_steps(const Model& model, const State& s
             model, state, n, {"way of a node in one step", way, limits_.node_step, "sites"});
         found.cause = "membrane forces too stiff for the time step, or nodes too close together";
         found.cure = smaller_step;
+        place(model, {x_[n], y_[n]}, found);  // where it was last sound
         return found;
     }
     return std::nullopt;

@@ -162,7 +162,18 @@ void expect_sound(const Lattice& lattice, const State& state) {
 
 }  // namespace
 
-void save_state(ArchiveWriter& archive, const State& state) {
+void copy_saved(const State& from, State& to) {
+    to.step = from.step;
+    to.populations = from.populations;
+    to.cells = from.cells;
+    to.drive = from.drive;
+    to.contact.repulsion_count = from.contact.repulsion_count;
+    to.contact.smallest_gap = from.contact.smallest_gap;
+    to.interior.x = from.interior.x;
+    to.interior.y = from.interior.y;
+}
+
+void save_state(ArchiveOutput& archive, const State& state) {
     for_each_number(state, [&](const char* name, auto value) { archive.put_value(name, value); });
     for_each_array(state, [&](const char* name, const auto& values) { archive.put(name, values); });
     archive.put_value<std::int64_t>("populations.odd",

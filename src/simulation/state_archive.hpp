@@ -11,7 +11,11 @@ namespace tt {
 
 /// Puts all of the State that is not derived: step, populations (sites only, no halo), cells,
 /// drive, contact counters, and where the cytoplasm was last laid.
-void save_state(ArchiveWriter& archive, const State& state);
+void save_state(ArchiveOutput& archive, const State& state);
+
+/// Gives `to` all that `save_state` puts of `from`, and leaves out what is derived: some 9 numbers
+/// a site, into memory that `to` has already if it is of the same run.
+void copy_saved(const State& from, State& to);
 
 /// The state that `save_state` put, for the same model: 100 steps, save, load and 100 steps are 200
 /// steps to the bit (tests/determinism/restart.cpp). DamagedArchive if its sizes are not those of

@@ -1,0 +1,78 @@
+#include "observe/failure.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "io/frames.hpp"
+#include "io/json.hpp"
+#include "observe/frame_recorder.hpp"
+#include "simulation/derive.hpp"
+#include "simulation/state_archive.hpp"
+
+namespace tt {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string kept_in(const fs::path& folder, const LastGood& good, double dt) {
+    std::string text = folder.string() + ": why.txt, the failing state, its picture in frames.h5";
+    if (good.any())
+        text += fmt::format(", and the last good state, of step {}, t = {:.6g} ms", good.step(),
+                            1e3 * dt * static_cast<double>(good.step()));
+    return text;
+}
+
+Json to_json(const Instability& what) {
+    return Json{{"quantity", what.quantity},
+                {"value", what.value},
+                {"limit", what.limit},
+                {"unit", what.unit},
+                {"step", what.step},
+                {"time", what.time},
+                {"cell", what.cell >= 0 ? Json(what.cell) : Json()},
+                {"node", what.node >= 0 ? Json(what.node) : Json()},
+                {"x", what.x},
+                {"y", what.y},
+                {"cause", what.cause},
+                {"cure", what.cure}};
+}
+
+void write_frames(const fs::path& folder, const std::string& name, const Model& model,
+                  const LastGood& good, State& failing) {
+    FramesWriter frames(folder, frames_header(model, failing, name), 0);
+    if (good.any()) {
+        State before = good.state();
+        derive(model, before);
+        frames.write(frame_of(Snapshot(model, before)));
+    }
+    fill_velocity(failing, failing.velocity);
+    frames.write(frame_of(Snapshot(model, failing)));
+    frames.merge();
+}
+
+}  // namespace
+
+SimulationError record_failure(const fs::path& results, const std::string& name,
+                               const Instability& what, const Model& model, State& failing,
+                               const LastGood& good) {
+    const fs::path folder = failure_folder(results);
+    fs::remove_all(folder);  // of an earlier attempt that was cut off
+    make_directory(folder);
+    if (good.any()) good.write(folder / "last_good");
+    const SimulationError error(
+        what, labelled("write", what.cure) + '\n' +
+                  labelled("kept", kept_in(folder, good, model.scales.time)) + '\n' +
+                  labelled("see", "tanktread report " + results.string()));
+    replace_file(folder / "why.txt", std::string(error.what()) + '\n', Durability::power);
+    write_frames(folder, name, model, good, failing);
+    ArchiveWriter archive(folder / "failing");
+    save_state(archive, failing);
+    archive.commit();
+    Json record = to_json(what);
+    record["last_good_step"] = good.any() ? Json(good.step()) : Json();
+    write_json(folder / "failure.json", record, Durability::power);
+    return error;
+}
+
+}  // namespace tt

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "report/results.hpp"
+
+namespace tt {
+
+/// What a run that blew up left: why, and a picture of the failing state, whole and near the place,
+/// which is marked, over the last good one. HTML; empty for a run that did not fail.
+std::string failure_section(const Results& run, const std::string& label);
+
+}  // namespace tt
