@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "source_dir.hpp"
 #include "verify/cell.hpp"
 
 namespace tt {

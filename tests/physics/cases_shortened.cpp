@@ -14,6 +14,7 @@
 #include "observe/run_measures.hpp"
 #include "observe/cell_measures.hpp"
 #include "simulation/advance.hpp"
+#include "source_dir.hpp"
 
 namespace tt {
 namespace {

@@ -13,6 +13,7 @@
 #include "observe/cell_measures.hpp"
 #include "observe/run_measures.hpp"
 #include "simulation/advance.hpp"
+#include "source_dir.hpp"
 
 namespace tt {
 namespace {

@@ -5,6 +5,7 @@
 #include "case/read.hpp"
 #include "exchange/periodic.hpp"
 #include "simulation/advance.hpp"
+#include "source_dir.hpp"
 
 using namespace tt;
 

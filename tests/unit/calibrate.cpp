@@ -14,6 +14,7 @@
 #include "io/json.hpp"
 #include "observe/summary.hpp"
 #include "simulation/stop.hpp"
+#include "source_dir.hpp"
 #include "temporary_directory.hpp"
 
 namespace {

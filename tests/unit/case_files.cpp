@@ -10,6 +10,7 @@
 #include "case/read.hpp"
 #include "case/write.hpp"
 #include "io/toml.hpp"
+#include "source_dir.hpp"
 
 namespace {
 

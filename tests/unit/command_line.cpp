@@ -13,6 +13,7 @@
 #include "case/reference.hpp"
 #include "io/json.hpp"
 #include "io/file.hpp"
+#include "source_dir.hpp"
 #include "temporary_directory.hpp"
 
 namespace {

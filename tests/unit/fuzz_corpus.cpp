@@ -6,6 +6,7 @@
 #include <string>
 
 #include "../fuzz/one_case.hpp"
+#include "source_dir.hpp"
 
 namespace {
 

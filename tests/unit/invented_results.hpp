@@ -9,6 +9,8 @@
 
 #include <unistd.h>
 
+#include "source_dir.hpp"
+
 namespace tt {
 
 /// A folder that goes away with the test.

@@ -14,6 +14,7 @@
 #include "case/membrane_of.hpp"
 #include "case/read.hpp"
 #include "membrane/stability.hpp"
+#include "source_dir.hpp"
 
 namespace tt {
 namespace {
