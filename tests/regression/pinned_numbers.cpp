@@ -113,8 +113,8 @@ class PinnedNumbers : public testing::TestWithParam<std::string> {};
 
 TEST_P(PinnedNumbers, are_as_they_were) {
     const Scene scene = read_scene(GetParam());
-    const Case c = read_case(TT_SOURCE_DIR "/cases/" + scene.case_name + "/case.toml",
-                             scene.changes);
+    const Case c =
+        read_case(TT_SOURCE_DIR "/cases/" + scene.case_name + "/case.toml", scene.changes);
     const Model model = discretise(c);
     State state = initial_state(c, model);
     Periodic ends;
@@ -147,8 +147,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PinnedNumbers, testing::ValuesIn(all_scenes()),
 
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
-    tt::update = std::any_of(argv, argv + argc, [](const char* word) {
-        return std::string(word) == "--update";
-    });
+    tt::update = std::any_of(argv, argv + argc,
+                             [](const char* word) { return std::string(word) == "--update"; });
     return RUN_ALL_TESTS();
 }
