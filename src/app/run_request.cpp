@@ -13,6 +13,7 @@ RunRequest request_for(const Case& c, const Choice& choice, const Model& model) 
     RunRequest request;
     request.name = c.name;
     request.resolved_toml = resolved_toml(c, choice, model);
+    request.inputs = inputs_of(c);
     request.identity = identity_of(c);
     if (c.cells.outline && !c.numerics.fluid_only) {
         request.notes.push_back("outline " + description(*c.cells.outline));

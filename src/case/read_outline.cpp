@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "case/outline_faults.hpp"
-#include "io/point_list.hpp"
+#include "io/imagej_roi.hpp"
 #include "membrane/shapes.hpp"
 
 namespace tt {
@@ -56,12 +56,19 @@ bool is_whole(const std::vector<Vec2>& points) {
                        [](Vec2 p) { return p.x == std::round(p.x) && p.y == std::round(p.y); });
 }
 
+PointList points_of(std::string_view bytes, const std::string& file) {
+    if (is_imagej_roi(bytes)) return parse_imagej_roi(bytes, file);
+    if (bytes.substr(0, 2) == "PK")
+        refuse(file, "this is a zip archive, as ImageJ saves several ROIs; save one as .roi");
+    return parse_points(bytes, file);
+}
+
 /// A heading that says in which unit the numbers are must agree with how they are read.
 void refuse_other_unit(const std::string& unit, const std::string& file, const CellsCase& cells) {
     if (unit.empty() || cells.pixel) return;
     if (unit.substr(0, 2) == "px" || unit.substr(0, 5) == "pixel")
         refuse(file,
-               "the heading says pixels; write pixel = \"0.1 um\", the side of one, in "
+               "its numbers are pixels; write pixel = \"0.1 um\", the side of one, in "
                "[cells]");
     try {
         const Measure one = parse_measure("1 " + unit);
@@ -72,7 +79,15 @@ void refuse_other_unit(const std::string& unit, const std::string& file, const C
     }
 }
 
-std::string steps_advice(const CellOutline& outline, double step) {
+double shortest_step(const std::vector<Vec2>& points) {
+    double shortest = HUGE_VAL;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        shortest = std::min(shortest, norm(points[(k + 1) % points.size()] - points[k]));
+    return shortest;
+}
+
+std::string steps_advice(const CellOutline& outline) {
+    const double step = shortest_step(outline.points);
     const double longer =
         perimeter_of(outline.points) / perimeter_of(smoothed(outline.points, 1.5 * step)) - 1.0;
     return fmt::format(
@@ -89,11 +104,21 @@ std::string direction_advice(const CellOutline& outline, const CellsCase& cells)
         outline.file, cells.pixel ? "is in pixels" : "runs clockwise");
 }
 
-double shortest_step(const std::vector<Vec2>& points) {
-    double shortest = HUGE_VAL;
-    for (std::size_t k = 0; k < points.size(); ++k)
-        shortest = std::min(shortest, norm(points[(k + 1) % points.size()] - points[k]));
-    return shortest;
+std::string unit_advice(const CellOutline& outline) {
+    return fmt::format(
+        "All coordinates of {} are whole numbers, and are read as x, y in um. If they are pixels, "
+        "write pixel = \"0.1 um\", the side of one, and y_down = true in [cells]; lists of row, "
+        "column must be turned round to column, row.",
+        outline.file);
+}
+
+/// From the numbers of the file to metres, y upwards, counter-clockwise.
+void scale(CellOutline& outline, double unit, bool y_down) {
+    constexpr double least_area = 1e-30;  // m²; below, products of coordinates underflow
+    for (Vec2& p : outline.points) p = unit * Vec2{p.x, y_down ? -p.y : p.y};
+    if (area_of(outline.points) < 0.0) std::reverse(outline.points.begin(), outline.points.end());
+    if (!(area_of(outline.points) > least_area))
+        refuse(outline.file, "the outline encloses no area; its numbers are um");
 }
 
 void smooth(CellOutline& outline, const CellsCase& cells) {
@@ -113,23 +138,10 @@ void smooth(CellOutline& outline, const CellsCase& cells) {
                                          to_text(*cells.smoothing)));
 }
 
-void remark(CellOutline& outline, double step, bool whole, const CellsCase& cells) {
-    if (outline.staircase && !cells.smoothing)
-        outline.remarks.push_back(steps_advice(outline, step));
-    if (!cells.y_down && (outline.clockwise || cells.pixel))
-        outline.remarks.push_back(direction_advice(outline, cells));
-    if (whole && !cells.pixel)
-        outline.remarks.push_back(fmt::format(
-            "All coordinates of {} are whole numbers, and are read as x, y in um. If they are "
-            "pixels, write pixel = \"0.1 um\", the side of one, and y_down = true in [cells]; "
-            "lists of row, column must be turned round to column, row.",
-            outline.file));
-}
-
 }  // namespace
 
 CellOutline read_outline(std::string_view bytes, const std::string& file, const CellsCase& cells) {
-    const PointList list = parse_points(bytes, file);
+    const PointList list = points_of(bytes, file);
     refuse_other_unit(list.unit, file, cells);
     GivenPoints given = without_repeats(list);
     if (auto fault = outline_fault(given, file)) throw CaseError({std::move(*fault)});
@@ -142,14 +154,14 @@ CellOutline read_outline(std::string_view bytes, const std::string& file, const 
     outline.clockwise = area_of(given.points) < 0.0;
     outline.staircase = is_staircase(given.points);
     outline.points = std::move(given.points);
-    const bool whole = is_whole(outline.points);
-    const double unit = cells.pixel.value_or(Length{1e-6}).si;
-    for (Vec2& p : outline.points) p = unit * Vec2{p.x, cells.y_down.value_or(false) ? -p.y : p.y};
-    if (area_of(outline.points) < 0.0) std::reverse(outline.points.begin(), outline.points.end());
-    const double step = shortest_step(outline.points);
+    if (!cells.pixel && is_whole(outline.points)) outline.remarks.push_back(unit_advice(outline));
+    if (!cells.y_down && !list.y_down && (outline.clockwise || cells.pixel))
+        outline.remarks.push_back(direction_advice(outline, cells));
+
+    scale(outline, cells.pixel.value_or(Length{1e-6}).si, cells.y_down.value_or(list.y_down));
+    if (outline.staircase && !cells.smoothing) outline.remarks.push_back(steps_advice(outline));
     if (cells.smoothing) smooth(outline, cells);
     outline.points = placed(outline.points, 0.0, -centroid_of(outline.points));
-    remark(outline, step, whole, cells);
     return outline;
 }
 

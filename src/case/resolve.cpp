@@ -4,6 +4,7 @@
 
 #include "base/units.hpp"
 #include "case/write.hpp"
+#include "io/checksum.hpp"
 
 namespace tt {
 namespace {
@@ -19,11 +20,25 @@ std::string line(std::string_view key, double value) {
     return fmt::format("# {:<24} {}\n", key, to_text(value));
 }
 
+/// Two files of one content are one input, wherever they lie.
+Case named_by_content(Case c) {
+    if (c.cells.outline) c.cells.file = "content " + hexadecimal(checksum(c.cells.outline->bytes));
+    return c;
+}
+
 }  // namespace
+
+std::vector<InputFile> inputs_of(const Case& c) {
+    if (!c.cells.outline) return {};
+    const std::filesystem::path file = c.cells.outline->file;
+    return {{"inputs/" + file.filename().string(), c.cells.outline->bytes}};
+}
 
 std::string resolved_toml(const Case& c, const Choice& choice, const Model& model) {
     const Scales& s = model.scales;
-    std::string text = to_toml(c);
+    Case standing_alone = c;
+    if (c.cells.outline) standing_alone.cells.file = inputs_of(c).front().name;
+    std::string text = to_toml(standing_alone);
     text += fmt::format("\n# What follows from these.{:<28}{}\n", "", "in lattice units");
     text += fmt::format("# {:<24} {} x {} sites\n", "lattice", choice.nx, choice.ny);
     text += line("dx", choice.dx, s);
@@ -50,7 +65,7 @@ std::string resolved_toml(const Case& c, const Choice& choice, const Model& mode
 }
 
 std::string identity_of(const Case& c) {
-    Case core = c;
+    Case core = named_by_content(c);
     core.output.checkpoint = OutputCase{}.checkpoint;
     core.output.figure_times.clear();
     return to_toml(core);

@@ -1,18 +1,25 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "case/case.hpp"
 #include "case/choose.hpp"
+#include "observe/provenance.hpp"
 #include "simulation/model.hpp"
 
 namespace tt {
 
+/// The files that a case was read from beside the case file, as a results directory keeps them.
+std::vector<InputFile> inputs_of(const Case& c);
+
 /// resolved.toml: the case with every default, and what follows from it, in SI and lattice units,
-/// as comments below. Reads back to the same Case, so that it runs again as it is.
+/// as comments below. Reads back to the same Case, so that it runs again as it is; files are named
+/// as `inputs_of` does.
 std::string resolved_toml(const Case& c, const Choice& choice, const Model& model);
 
 /// The part of a case that determines the states of a run; how often it is saved is none of it.
+/// A file stands there by the checksum of its content.
 std::string identity_of(const Case& c);
 
 }  // namespace tt

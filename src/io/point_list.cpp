@@ -12,8 +12,6 @@
 namespace tt {
 namespace {
 
-constexpr double largest_coordinate = 1e9;
-constexpr std::size_t most_points = 100'000;
 constexpr std::size_t faults_told = 10;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }

@@ -11,9 +11,14 @@ namespace tt {
 /// Points of the plane from a text, in the unit of the text.
 struct PointList {
     std::vector<Vec2> points;
-    std::vector<int> lines;  ///< on which each point stands
+    std::vector<int> lines;  ///< on which each point stands; empty: the file has no lines
     std::string unit;        ///< of the heading, "mm" of "X (mm),Y (mm)"; empty: none is named
+    bool y_down = false;     ///< known to be so
 };
+
+/// Beyond these a file holds something else than an outline.
+inline constexpr double largest_coordinate = 1e9;
+inline constexpr std::size_t most_points = 100'000;
 
 /// Reads x,y of one point a line as tables and programs write them: columns parted by commas, tabs
 /// or spaces; line ends of any kind; a byte order mark; '#' starts a comment; a heading, which may

@@ -38,6 +38,9 @@ void write_provenance(const std::filesystem::path& results, const Provenance& p,
     }
     sessions[static_cast<std::size_t>(session.number)] = entry;
     const Json commit = revision.commit.empty() ? Json() : Json(revision.commit);
+    Json inputs = Json::array();
+    for (const InputFile& input : p.inputs)
+        inputs.push_back({{"file", input.name}, {"hash", hexadecimal(checksum(input.bytes))}});
     const Json all{{"name", p.name},
                    {"case_hash", p.case_hash},
                    {"program", "tanktread"},
@@ -54,6 +57,7 @@ void write_provenance(const std::filesystem::path& results, const Provenance& p,
                    {"ranks", 1},
                    {"case_toml_hash", hexadecimal(checksum(p.case_toml))},
                    {"resolved_toml_hash", hexadecimal(checksum(p.resolved_toml))},
+                   {"inputs", inputs},
                    {"state_hash", state_hash},
                    {"sessions", sessions}};
     write_json(path, all, Durability::power);

@@ -3,8 +3,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace tt {
+
+/// A file that a case was read from.
+struct InputFile {
+    std::string name;  ///< of its copy, from the results directory: "inputs/cell.csv"
+    std::string bytes;
+};
 
 /// Where a result came from; what is not asked of the machine.
 struct Provenance {
@@ -14,6 +21,7 @@ struct Provenance {
     std::string case_toml, resolved_toml;
     std::string command_line;
     int threads = 1;
+    std::vector<InputFile> inputs;
 };
 
 /// One go at a run, from start or resume to its end, or to its last checkpoint if it was killed.
@@ -27,8 +35,8 @@ struct Session {
 };
 
 /// PROVENANCE.json: version, commit (null: from no repository), compiler, flags, processor,
-/// threads, hashes, and one entry per session: the first write of a session adds its entry and sets
-/// its number, later ones replace it.
+/// threads, hashes of all that was read, and one entry per session: the first write of a session
+/// adds its entry and sets its number, later ones replace it.
 void write_provenance(const std::filesystem::path& results, const Provenance& provenance,
                       Session& session, const std::string& state_hash);
 

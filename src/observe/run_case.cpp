@@ -131,6 +131,10 @@ void CaseRun::start(const std::function<State()>& initial) {
     pace_.emplace(state_.step);
     record("running");
     replace_file(results_.path() / "case.toml", request_.case_toml, Durability::power);
+    for (const InputFile& input : request_.inputs) {
+        make_directory((results_.path() / input.name).parent_path());
+        replace_file(results_.path() / input.name, input.bytes, Durability::power);
+    }
     replace_file(results_.path() / "resolved.toml", request_.resolved_toml, Durability::power);
     say(fmt::format("'{}': {} steps on {} x {} sites, {} cell{}, {} thread{}", request_.name,
                     steps_, model_.lattice.nx, model_.lattice.ny, state_.cells.cell_count(),
@@ -190,7 +194,8 @@ void CaseRun::record(const std::string& phase) {
     session_.wall_seconds = pace_->seconds();
     session_.ending = phase;
     const Provenance provenance{request_.name,          case_hash(),           request_.case_toml,
-                                request_.resolved_toml, request_.command_line, model_.threads};
+                                request_.resolved_toml, request_.command_line, model_.threads,
+                                request_.inputs};
     write_provenance(results_.path(), provenance, session_, hexadecimal(state_hash(state_)));
     write_status(results_.path(), standing(), phase);
 }

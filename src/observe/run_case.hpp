@@ -9,6 +9,7 @@
 
 #include "exchange/exchange.hpp"
 #include "observe/progress.hpp"
+#include "observe/provenance.hpp"
 #include "observe/results_directory.hpp"
 #include "simulation/health.hpp"
 #include "simulation/model.hpp"
@@ -20,9 +21,10 @@ namespace tt {
 struct RunRequest {
     std::filesystem::path directory;
     std::string name;
-    std::string case_toml;      ///< as given
-    std::string resolved_toml;  ///< every default and derived number
-    std::string identity;       ///< text of all that determines a state; empty: resolved_toml
+    std::string case_toml;          ///< as given
+    std::string resolved_toml;      ///< every default and derived number
+    std::vector<InputFile> inputs;  ///< what else the case was read from
+    std::string identity;           ///< text of all that determines a state; empty: resolved_toml
     std::string command_line;
     std::vector<std::string> notes;  ///< on what was read: told as a run starts
     Time end;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -14,6 +15,8 @@
 #include "case/read.hpp"
 #include "case/read_outline.hpp"
 #include "command.hpp"
+#include "io/checksum.hpp"
+#include "io/file.hpp"
 #include "io/json.hpp"
 #include "membrane/outline.hpp"
 #include "membrane/shapes.hpp"
@@ -215,6 +218,103 @@ TEST(OutlineFile, of_a_plain_rectangle_is_no_staircase) {
     EXPECT_TRUE(outline.remarks.empty());
 }
 
+/// What ImageJ saves: `half` has whole coordinates from the corner of the bounding box, or those of
+/// parts of pixels behind them.
+std::string roi_of(const std::vector<Vec2>& points, int type, unsigned options = 0) {
+    std::string bytes(64, '\0');
+    const auto put = [&](std::size_t at, unsigned value) {
+        if (bytes.size() < at + 2) bytes.resize(at + 2);
+        bytes[at] = static_cast<char>(value >> 8);
+        bytes[at + 1] = static_cast<char>(value);
+    };
+    const std::size_t n = points.size();
+    bytes.replace(0, 4, "Iout");
+    put(4, 227);
+    bytes[6] = static_cast<char>(type);
+    put(8, 70);  // top, left
+    put(10, 300);
+    put(16, static_cast<unsigned>(n));
+    put(50, options);
+    for (std::size_t k = 0; k < n; ++k) {
+        put(64 + 2 * k, static_cast<unsigned>(std::lround(points[k].x) - 300));
+        put(64 + 2 * (n + k), static_cast<unsigned>(std::lround(points[k].y) - 70));
+    }
+    for (std::size_t k = 0; (options & 128) != 0 && k < n; ++k) {
+        for (const auto& [at, value] : {std::pair{64 + 4 * n + 4 * k, points[k].x},
+                                        std::pair{64 + 4 * n + 4 * (n + k), points[k].y}}) {
+            const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+            put(at, bits >> 16);
+            put(at + 2, bits & 0xFFFF);
+        }
+    }
+    return bytes;
+}
+
+TEST(OutlineFile, may_be_a_region_of_imagej) {
+    std::vector<Vec2> disc = circle(20.0, 100);
+    for (Vec2& p : disc) p += Vec2{321.25, 95.5};
+    CellsCase cells;
+    EXPECT_EQ(faults_of(roi_of(disc, 7, 128)),
+              "o.csv: its numbers are pixels; write pixel = \"0.1 um\", the side of one, in "
+              "[cells]");
+    cells.pixel = Length{2e-7};
+    const CellOutline parts = read_outline(roi_of(disc, 7, 128), "o.roi", cells);
+    EXPECT_TRUE(parts.remarks.empty());
+    EXPECT_EQ(parts.given, 100);
+    EXPECT_NEAR(measures_of(parts).area, 4e-14 * area_of(disc), 1e-17);
+    // A square with one corner cut, the upper right one on the screen.
+    const std::vector<Vec2> cut{{300, 70},  {310, 70},  {330, 90},  {330, 110},
+                                {320, 110}, {310, 110}, {300, 110}, {300, 90}};
+    for (const int type : {0, 8}) {
+        const CellOutline whole = read_outline(roi_of(cut, type), "o.roi", cells);
+        EXPECT_NEAR(measures_of(whole).area, 4e-14 * (30 * 40 - 200), 1e-20);
+        const Vec2 middle = whole.points[0];
+        EXPECT_LT(std::abs(middle.x), 5e-6);
+        double right_top = -1.0, left_top = -1.0;
+        for (const Vec2 p : whole.points) {
+            right_top = std::max(right_top, p.x + p.y);
+            left_top = std::max(left_top, -p.x + p.y);
+        }
+        EXPECT_LT(right_top, left_top);  // y is turned upwards
+    }
+    EXPECT_EQ(faults_of(roi_of({{300, 70}, {310, 80}, {320, 70}}, 0), cells),
+              "o.csv: 3 points are too few for an outline; at least 8 are needed");
+    std::vector<Vec2> spur = cut;
+    spur.insert(spur.begin() + 3, {{340, 90}, {330, 90}});
+    EXPECT_NE(faults_of(roi_of(spur, 0), cells).find("point 3 and point 5 are the same"),
+              std::string::npos);
+}
+
+TEST(OutlineFile, of_imagej_without_an_outline_is_refused_by_the_name_of_its_type) {
+    const std::vector<Vec2> disc = circle(20.0, 100);
+    CellsCase cells;
+    cells.pixel = Length{2e-7};
+    const auto told = [&](const std::string& bytes, const std::string& word) {
+        EXPECT_NE(faults_of(bytes, cells).find(word), std::string::npos) << faults_of(bytes, cells);
+    };
+    told(roi_of(disc, 1), "type rectangle");
+    told(roi_of(disc, 2), "type oval");
+    told(roi_of(disc, 5), "type segmented line");
+    told(roi_of(disc, 10), "type points");
+    told(roi_of(disc, 99), "unknown type");
+    told(roi_of(disc, 0, 1), "fitted by a spline");
+    std::string composite = roi_of(disc, 1);
+    composite[39] = 8;
+    told(composite, "type composite");
+    const std::string whole = roi_of(disc, 0, 128);
+    for (const std::size_t size : {4u, 63u, 64u, 300u, 464u, 1263u})
+        told(whole.substr(0, size), "cut short");
+    std::string huge = whole.substr(0, 64);
+    huge[16] = huge[17] = 0;
+    huge[18] = huge[19] = '\xFF';
+    told(huge, "at most 100000 points");
+    std::string nan = whole;
+    nan[464] = nan[465] = '\x7F';
+    nan[465] = '\xFF';
+    told(nan, "point 1 is at no place");
+    told("PK\x03\x04", "zip archive");
+}
+
 TEST(Smoothing, keeps_the_area_and_takes_waves_off_as_it_says) {
     // A circle whose radius waves 30 times around by a hundredth.
     std::vector<Vec2> wavy;
@@ -325,6 +425,47 @@ TEST_F(ShapeFile, is_told_by_check_and_in_the_log_of_the_run) {
     std::ifstream log(path("results/run.log"));
     const std::string lines{std::istreambuf_iterator<char>(log), {}};
     EXPECT_NE(lines.find(told), std::string::npos) << lines;
+}
+
+TEST_F(ShapeFile, is_kept_in_the_results_which_stand_alone) {
+    const std::vector<Vec2> shape = ellipse(3.0, 2.0, 60);
+    const std::string given = case_with(text_of(shape));
+    const std::string whole = path("whole").string(), parts = path("parts").string();
+    const std::vector<std::string> quiet{"--progress", "none", "--set", "time.end=0.1 ms"};
+    const auto with = [&](std::vector<std::string> words) {
+        words.insert(words.end(), quiet.begin(), quiet.begin() + (words[0] == "run" ? 4 : 2));
+        return run(words);
+    };
+    ASSERT_EQ(with({"run", given, "-o", whole}).code, 0);
+    ASSERT_EQ(with({"run", given, "-o", parts, "--until", "0.05 ms"}).code, 75);
+    const Json provenance = read_json(path("parts/PROVENANCE.json"));
+    ASSERT_EQ(provenance["inputs"].size(), 1u);
+    EXPECT_EQ(provenance["inputs"][0]["file"], "inputs/o.csv");
+    EXPECT_EQ(provenance["inputs"][0]["hash"], hexadecimal(checksum(text_of(shape))));
+    EXPECT_EQ(read_file(path("parts/inputs/o.csv")), text_of(shape));
+
+    // The same command, and other content at the same place.
+    std::ofstream(path("o.csv")) << text_of(ellipse(3.0, 2.1, 60));
+    EXPECT_EQ(with({"run", given, "-o", parts}).code, 4);
+    // The content of before, elsewhere, is the same case.
+    case_with(text_of(shape));
+    std::filesystem::rename(path("o.csv"), path("renamed.csv"));
+    EXPECT_EQ(with({"run", given, "--set", "cells.file=renamed.csv", "-o", whole}).code, 0);
+
+    std::filesystem::remove(path("renamed.csv"));
+    std::filesystem::remove(path("c.toml"));
+    std::filesystem::create_directory(path("far"));
+    std::filesystem::rename(parts, path("far/moved"));
+    const std::string moved = path("far/moved").string();
+    const Outcome resumed = with({"resume", moved});
+    EXPECT_EQ(resumed.code, 0) << resumed.err;
+    for (const char* name : {"series.csv", "cells.csv", "resolved.toml"})
+        EXPECT_EQ(read_file(path(std::string("far/moved/") + name)),
+                  read_file(path(std::string("whole/") + name)))
+            << name;
+
+    std::ofstream(path("whole/inputs/o.csv")) << text_of(ellipse(3.0, 2.1, 60));
+    EXPECT_EQ(with({"resume", whole}).code, 4);
 }
 
 }  // namespace
