@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "base/units.hpp"
+#include "membrane/outline_checks.hpp"
 #include "membrane/stability.hpp"
 #include "simulation/schedule.hpp"
 
@@ -193,9 +194,15 @@ void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& 
             rounded_text(Length{c.contact.zero_force_distance.si / 2.0}, 1));
 }
 
-void advise_on_outline(const Case& c, Adviser& adviser) {
+void advise_on_outline(const Case& c, const State& initial, Adviser& adviser) {
     if (!c.cells.outline || c.numerics.fluid_only) return;
     for (const std::string& remark : c.cells.outline->remarks) adviser.consider("{}", remark);
+    constexpr double site = 1.0;
+    if (self_approach(outline(initial.cells, 0), site))
+        adviser.consider(
+            "Two parts of the outline {} are less than a site apart: what lies between them is not "
+            "resolved. Write a smaller dx.",
+            c.cells.outline->file);
 }
 
 void advise_on_physics(const Case& c, const Appraisal& a, Adviser& adviser) {
@@ -245,7 +252,7 @@ Appraisal appraise(const Case& c, const Choice& choice, const Model& model, cons
     advise_on_step(c, choice, a, adviser);
     advise_on_change(c, choice, a, adviser);
     advise_on_resolution(c, choice, a, adviser);
-    advise_on_outline(c, adviser);
+    advise_on_outline(c, initial, adviser);
     advise_on_physics(c, a, adviser);
     return a;
 }

@@ -32,12 +32,16 @@ std::vector<Vec2> resampled(const CellOutline& outline, double nodes) {
         x.push_back(p.x);
         y.push_back(p.y);
     }
-    if (const auto crossing = self_crossing({x, y}))
-        throw CaseError(
-            {{outline.file, 0, 0,
-              fmt::format("with {} nodes the outline crosses itself near ({:.4g}, {:.4g}) um from "
-                          "its middle, where it is thinner than the grid; write a smaller dx",
-                          nodes, 1e6 * x[crossing->first], 1e6 * y[crossing->first])}});
+    const auto refuse = [&](int node, const char* what) {
+        throw CaseError({{outline.file, 0, 0,
+                          fmt::format("with {} nodes the outline {} near ({:.4g}, {:.4g}) um from "
+                                      "its middle, where it is thinner than the grid; write a "
+                                      "smaller dx, or draw it thicker there",
+                                      nodes, what, 1e6 * x[node], 1e6 * y[node])}});
+    };
+    const double touching = 0.1 * perimeter_of(shape) / nodes;
+    if (const auto crossing = self_crossing({x, y})) refuse(crossing->first, "crosses itself");
+    if (const auto near = self_approach({x, y}, touching)) refuse(near->node, "touches itself");
     return placed(shape, 0.0, -centroid_of(shape));
 }
 

@@ -8,6 +8,8 @@
 #include <set>
 #include <vector>
 
+#include "membrane/outline.hpp"
+
 namespace tt {
 namespace {
 
@@ -155,7 +157,50 @@ private:
     std::vector<Place> place_;  ///< of each segment that is cut
 };
 
+double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
+    const Vec2 along = b - a;
+    const double length2 = dot(along, along);
+    const double t = length2 > 0.0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
+    return norm(p - a - t * along);
+}
+
+/// A square of the plane, and a node in it.
+struct BinnedNode {
+    std::int64_t column = 0, row = 0;
+    int node = 0;
+    auto operator<=>(const BinnedNode&) const = default;
+};
+
 }  // namespace
+
+std::optional<SelfApproach> self_approach(const Outline& outline, double reach) {
+    const int n = outline.size();
+    const double spacing = perimeter(outline) / n;
+    const double side = reach + spacing;  // from a node to the first node of a segment in reach
+    const int apart = std::max(2, static_cast<int>(std::ceil(4.0 * reach / spacing)));
+    const auto bin = [&](int k) {
+        return BinnedNode{std::llround(outline[k].x / side), std::llround(outline[k].y / side), k};
+    };
+    std::vector<BinnedNode> binned;
+    for (int k = 0; k < n; ++k) binned.push_back(bin(k));
+    std::sort(binned.begin(), binned.end());
+    const auto along = [&](int k, int m) { return std::min((k - m + n) % n, (m - k + n) % n); };
+    for (int k = 0; k < n; ++k) {
+        const BinnedNode own = bin(k);
+        for (std::int64_t column = own.column - 1; column <= own.column + 1; ++column) {
+            auto other =
+                std::lower_bound(binned.begin(), binned.end(), BinnedNode{column, own.row - 1, 0});
+            for (; other != binned.end() && other->column == column && other->row <= own.row + 1;
+                 ++other) {
+                const int m = other->node, after = m + 1 < n ? m + 1 : 0;
+                if (along(k, m) > apart && along(k, after) > apart &&
+                    distance_to_segment(outline[k], outline[m], outline[after]) < reach)
+                    return SelfApproach{k, m};
+            }
+        }
+    }
+    return std::nullopt;
+}
 
 std::optional<SelfCrossing> self_crossing(const Outline& outline) {
     if (goes_around_once(outline)) return std::nullopt;

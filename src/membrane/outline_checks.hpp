@@ -21,4 +21,15 @@ struct SelfCrossing {
 /// positions are finite.
 std::optional<SelfCrossing> self_crossing(const Outline& outline);
 
+/// A node that comes near a segment of the same outline.
+struct SelfApproach {
+    int node = 0;
+    int segment = 0;
+};
+
+/// The first node that is nearer than `reach` to a segment from which it is more than four times as
+/// far, and two nodes at least, along the outline; nothing if there is none. Linear, but for
+/// sorting. Precondition: evenly spaced nodes, positions finite.
+std::optional<SelfApproach> self_approach(const Outline& outline, double reach);
+
 }  // namespace tt

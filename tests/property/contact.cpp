@@ -477,6 +477,30 @@ TEST(SelfCrossing, agrees_with_comparing_all_pairs) {
     EXPECT_GT(simple, 1000);
 }
 
+TEST(SelfApproach, is_found_where_two_sides_come_near_and_nowhere_else) {
+    // A thick letter C, whose ends are `gap` apart, nodes half a site apart.
+    for (const double gap : {0.3, 0.9, 1.1, 3.0}) {
+        std::vector<Vec2> curled;
+        const double half = std::asin(0.5 * gap / 17.0);
+        for (int k = 0; k <= 400; ++k) {
+            const double angle = half + 2.0 * (M_PI - half) * k / 400.0;
+            curled.push_back(20.0 * Vec2{std::cos(angle), std::sin(angle)});
+        }
+        for (int k = 400; k >= 0; --k) curled.push_back(0.7 * curled[k]);
+        const std::vector<Vec2> even = at_equal_arc_length(curled, 460);
+        std::vector<double> x, y;
+        for (const Vec2 q : even) {
+            x.push_back(q.x);
+            y.push_back(q.y);
+        }
+        const double nearest = 2.0 * 14.0 * std::sin(half);  // at the inner ends
+        EXPECT_EQ(self_approach({x, y}, 1.0).has_value(), nearest < 1.0) << gap;
+    }
+    Suspension cells;
+    add_cell(cells, biconcave(19.55, 126));
+    EXPECT_FALSE(self_approach(outline(cells, 0), 1.0).has_value());
+}
+
 TEST(SelfCrossing, of_a_long_zigzag_takes_no_time) {
     // A comb of 100 000 nodes, whose teeth all overlap in x: comparing all pairs takes minutes.
     std::vector<double> x, y;

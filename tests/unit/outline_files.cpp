@@ -1,54 +1,16 @@
 #include <gtest/gtest.h>
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include "base/error.hpp"
-#include "case/discretise.hpp"
-#include "case/initial_state.hpp"
-#include "case/read.hpp"
-#include "case/read_outline.hpp"
-#include "command.hpp"
-#include "io/checksum.hpp"
-#include "io/file.hpp"
-#include "io/json.hpp"
-#include "membrane/outline.hpp"
-#include "membrane/shapes.hpp"
-#include "temporary_directory.hpp"
+#include "outline_text.hpp"
 
 using namespace tt;
 
 namespace {
-
-std::string text_of(const std::vector<Vec2>& points, const char* format = "{},{}\n") {
-    std::string text;
-    for (const Vec2 p : points) text += fmt::format(fmt::runtime(format), p.x, p.y);
-    return text;
-}
-
-/// An ellipse of 6 by 4 um that no other length stands in.
-const std::vector<Vec2> ellipse_60 = ellipse(3.0, 2.0, 60);
-
-std::vector<Vec2> repeated(std::vector<Vec2> points, std::size_t from = 0) {
-    points.push_back(points[from]);
-    return points;
-}
-
-/// All faults, one a line, or "none".
-std::string faults_of(const std::string& text, const CellsCase& cells = {}) {
-    try {
-        read_outline(text, "o.csv", cells);
-    } catch (const CaseError& error) {
-        return error.what();
-    }
-    return "none";
-}
 
 TEST(OutlineFile, is_read_however_it_comes) {
     const CellOutline plain = read_outline(text_of(ellipse_60), "o.csv", {});
@@ -218,103 +180,6 @@ TEST(OutlineFile, of_a_plain_rectangle_is_no_staircase) {
     EXPECT_TRUE(outline.remarks.empty());
 }
 
-/// What ImageJ saves: `half` has whole coordinates from the corner of the bounding box, or those of
-/// parts of pixels behind them.
-std::string roi_of(const std::vector<Vec2>& points, int type, unsigned options = 0) {
-    std::string bytes(64, '\0');
-    const auto put = [&](std::size_t at, unsigned value) {
-        if (bytes.size() < at + 2) bytes.resize(at + 2);
-        bytes[at] = static_cast<char>(value >> 8);
-        bytes[at + 1] = static_cast<char>(value);
-    };
-    const std::size_t n = points.size();
-    bytes.replace(0, 4, "Iout");
-    put(4, 227);
-    bytes[6] = static_cast<char>(type);
-    put(8, 70);  // top, left
-    put(10, 300);
-    put(16, static_cast<unsigned>(n));
-    put(50, options);
-    for (std::size_t k = 0; k < n; ++k) {
-        put(64 + 2 * k, static_cast<unsigned>(std::lround(points[k].x) - 300));
-        put(64 + 2 * (n + k), static_cast<unsigned>(std::lround(points[k].y) - 70));
-    }
-    for (std::size_t k = 0; (options & 128) != 0 && k < n; ++k) {
-        for (const auto& [at, value] : {std::pair{64 + 4 * n + 4 * k, points[k].x},
-                                        std::pair{64 + 4 * n + 4 * (n + k), points[k].y}}) {
-            const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
-            put(at, bits >> 16);
-            put(at + 2, bits & 0xFFFF);
-        }
-    }
-    return bytes;
-}
-
-TEST(OutlineFile, may_be_a_region_of_imagej) {
-    std::vector<Vec2> disc = circle(20.0, 100);
-    for (Vec2& p : disc) p += Vec2{321.25, 95.5};
-    CellsCase cells;
-    EXPECT_EQ(faults_of(roi_of(disc, 7, 128)),
-              "o.csv: its numbers are pixels; write pixel = \"0.1 um\", the side of one, in "
-              "[cells]");
-    cells.pixel = Length{2e-7};
-    const CellOutline parts = read_outline(roi_of(disc, 7, 128), "o.roi", cells);
-    EXPECT_TRUE(parts.remarks.empty());
-    EXPECT_EQ(parts.given, 100);
-    EXPECT_NEAR(measures_of(parts).area, 4e-14 * area_of(disc), 1e-17);
-    // A square with one corner cut, the upper right one on the screen.
-    const std::vector<Vec2> cut{{300, 70},  {310, 70},  {330, 90},  {330, 110},
-                                {320, 110}, {310, 110}, {300, 110}, {300, 90}};
-    for (const int type : {0, 8}) {
-        const CellOutline whole = read_outline(roi_of(cut, type), "o.roi", cells);
-        EXPECT_NEAR(measures_of(whole).area, 4e-14 * (30 * 40 - 200), 1e-20);
-        const Vec2 middle = whole.points[0];
-        EXPECT_LT(std::abs(middle.x), 5e-6);
-        double right_top = -1.0, left_top = -1.0;
-        for (const Vec2 p : whole.points) {
-            right_top = std::max(right_top, p.x + p.y);
-            left_top = std::max(left_top, -p.x + p.y);
-        }
-        EXPECT_LT(right_top, left_top);  // y is turned upwards
-    }
-    EXPECT_EQ(faults_of(roi_of({{300, 70}, {310, 80}, {320, 70}}, 0), cells),
-              "o.csv: 3 points are too few for an outline; at least 8 are needed");
-    std::vector<Vec2> spur = cut;
-    spur.insert(spur.begin() + 3, {{340, 90}, {330, 90}});
-    EXPECT_NE(faults_of(roi_of(spur, 0), cells).find("point 3 and point 5 are the same"),
-              std::string::npos);
-}
-
-TEST(OutlineFile, of_imagej_without_an_outline_is_refused_by_the_name_of_its_type) {
-    const std::vector<Vec2> disc = circle(20.0, 100);
-    CellsCase cells;
-    cells.pixel = Length{2e-7};
-    const auto told = [&](const std::string& bytes, const std::string& word) {
-        EXPECT_NE(faults_of(bytes, cells).find(word), std::string::npos) << faults_of(bytes, cells);
-    };
-    told(roi_of(disc, 1), "type rectangle");
-    told(roi_of(disc, 2), "type oval");
-    told(roi_of(disc, 5), "type segmented line");
-    told(roi_of(disc, 10), "type points");
-    told(roi_of(disc, 99), "unknown type");
-    told(roi_of(disc, 0, 1), "fitted by a spline");
-    std::string composite = roi_of(disc, 1);
-    composite[39] = 8;
-    told(composite, "type composite");
-    const std::string whole = roi_of(disc, 0, 128);
-    for (const std::size_t size : {4u, 63u, 64u, 300u, 464u, 1263u})
-        told(whole.substr(0, size), "cut short");
-    std::string huge = whole.substr(0, 64);
-    huge[16] = huge[17] = 0;
-    huge[18] = huge[19] = '\xFF';
-    told(huge, "at most 100000 points");
-    std::string nan = whole;
-    nan[464] = nan[465] = '\x7F';
-    nan[465] = '\xFF';
-    told(nan, "point 1 is at no place");
-    told("PK\x03\x04", "zip archive");
-}
-
 TEST(Smoothing, keeps_the_area_and_takes_waves_off_as_it_says) {
     // A circle whose radius waves 30 times around by a hundredth.
     std::vector<Vec2> wavy;
@@ -332,140 +197,6 @@ TEST(Smoothing, keeps_the_area_and_takes_waves_off_as_it_says) {
     }
     const double kept = std::exp(-2.0 * std::pow(std::numbers::pi * 0.2, 2));
     EXPECT_NEAR(0.5 * (high - low), 0.01 * kept, 5e-4);
-}
-
-class ShapeFile : public TemporaryDirectory {
-protected:
-    /// A case with this outline in a box of 20 by 20 um.
-    std::string case_with(const std::string& outline, const std::string& more = "") const {
-        std::ofstream(path("o.csv")) << outline;
-        std::ofstream(path("c.toml"))
-            << "format = 1\n[domain]\nlength = \"20 um\"\nwidth = \"20 um\"\n[flow]\n"
-               "drive = \"shear\"\nshear_rate = \"100 /s\"\n[cells]\nshape = \"file\"\n"
-               "file = \"o.csv\"\n"
-            << more << "[numerics]\ndx = \"0.2 um\"\n[time]\nend = \"1 ms\"\n";
-        return path("c.toml").string();
-    }
-    State start(const std::string& outline, const std::string& more = "") const {
-        const Case c = read_case(case_with(outline, more));
-        return initial_state(c, discretise(c));
-    }
-    Outcome check(const std::string& outline, const std::string& more = "",
-                  const std::vector<std::string>& words = {}) const {
-        std::vector<std::string> all{"check", case_with(outline, more)};
-        all.insert(all.end(), words.begin(), words.end());
-        return run(all);
-    }
-};
-
-TEST_F(ShapeFile, stands_with_its_centroid_where_the_cell_is_put) {
-    std::string half_disc, rectangle = "0,0\n8,0\n";
-    for (int k = 0; k <= 40; ++k)  // dense along the arc, the straight side by its ends alone
-        half_disc += fmt::format("{},{}\n", 5.0 * std::sin(std::numbers::pi * k / 40),
-                                 -4.0 * std::cos(std::numbers::pi * k / 40));
-    for (int k = 1; k <= 39; ++k) rectangle += fmt::format("8,{}\n", 0.1 * k);
-    rectangle += "8,4\n0,4\n0,2\n0,1\n0,0.5\n";
-    for (const std::string& outline : {text_of(repeated(ellipse_60)), half_disc, rectangle}) {
-        const State state = start(outline, "angle = \"30 deg\"\n");
-        const Vec2 centroid = area_moments(tt::outline(state.cells, 0)).centroid;
-        EXPECT_NEAR(centroid.x, 50.0, 1e-9);
-        EXPECT_NEAR(centroid.y, 50.0, 1e-9);
-    }
-}
-
-TEST_F(ShapeFile, is_the_size_of_the_cells_and_radius_is_not) {
-    const std::string text = text_of(ellipse(6.0, 4.0, 200));
-    const Case own = read_case(case_with(text));
-    const Case other = read_case(case_with(text, "radius = \"8 um\"\n"));
-    const double radius =
-        std::sqrt(24e-12) * std::sqrt(area_of(ellipse(6.0, 4.0, 200)) / (24.0 * std::numbers::pi));
-    EXPECT_NEAR(equivalent_radius(own).si, radius, 1e-15);
-    EXPECT_EQ(equivalent_radius(other).si, equivalent_radius(own).si);
-    EXPECT_EQ(choose(other).dt.si, choose(own).dt.si);
-    const Json judged = Json::parse(check(text, "radius = \"8 um\"\n", {"--json"}).out);
-    EXPECT_NEAR(judged["shear_number"].get<double>(), 1.2e-3 * 100.0 * radius / 6e-6, 1e-9);
-    EXPECT_NEAR(judged["outline"]["area_m2"].get<double>(), std::numbers::pi * radius * radius,
-                1e-20);
-    EXPECT_NE(judged["advice"].dump().find("radius = 8 um in [cells] is not used"),
-              std::string::npos);
-}
-
-TEST_F(ShapeFile, that_is_no_cell_is_refused_by_check) {
-    const auto refused = [&](const std::string& outline, const std::string& cause) {
-        const Outcome outcome = check(outline);
-        EXPECT_EQ(outcome.code, 2) << outcome.out;
-        EXPECT_NE(outcome.err.find(cause), std::string::npos) << outcome.err;
-        EXPECT_EQ(outcome.err.find("overlap"), std::string::npos) << outcome.err;
-        return outcome.err;
-    };
-    refused(text_of(ellipse_60) + text_of(ellipse_60), "o.csv:61:1: the outline is written twice");
-    refused(text_of(ellipse(0.04, 0.03, 60)), "smaller than any cell and than dx = 0.2 um");
-    refused(text_of(ellipse(50.0, 30.0, 60)), "100 um by 60 um, longer than the box");
-    const std::string told =
-        refused(text_of(ellipse(11.0, 3.0, 60)), "meets its own periodic image");
-    EXPECT_NE(told.find("tanktread: 1 fault;"), std::string::npos) << told;
-    refused("0,0\n1e8,0\n1e8,1\n1e8,2\n1e8,3\n5,3\n4,3\n0,3\n", "longer than the box");
-    // Two halves that a neck joins, with a kink narrower than the nodes are apart.
-    refused(
-        "-4,-3\n0,-3\n4,-3\n4,-1\n0.01,-1\n0.01,-0.1\n0.31,0\n0.01,0.1\n0.01,1\n4,1\n4,3\n"
-        "-4,3\n-4,1\n-0.01,1\n-0.01,0.1\n0.28,0\n-0.01,-0.1\n-0.01,-1\n-4,-1\n",
-        "thinner than the grid");
-    const Outcome missing =
-        run({"check", case_with(text_of(ellipse_60)), "--set", "cells.file=none.csv"});
-    EXPECT_EQ(missing.code, 2);
-    EXPECT_NE(missing.err.find("none.csv"), std::string::npos);
-}
-
-TEST_F(ShapeFile, is_told_by_check_and_in_the_log_of_the_run) {
-    const std::string told = "60 points, counter-clockwise in the file; 6 x 4 um";
-    EXPECT_NE(check(text_of(ellipse_60)).out.find("o.csv: 60 points"), std::string::npos);
-    const Outcome outcome = run({"run", case_with(text_of(ellipse_60)), "--set", "time.end=2 us",
-                                 "-o", path("results").string(), "--progress", "none"});
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    std::ifstream log(path("results/run.log"));
-    const std::string lines{std::istreambuf_iterator<char>(log), {}};
-    EXPECT_NE(lines.find(told), std::string::npos) << lines;
-}
-
-TEST_F(ShapeFile, is_kept_in_the_results_which_stand_alone) {
-    const std::vector<Vec2> shape = ellipse(3.0, 2.0, 60);
-    const std::string given = case_with(text_of(shape));
-    const std::string whole = path("whole").string(), parts = path("parts").string();
-    const std::vector<std::string> quiet{"--progress", "none", "--set", "time.end=0.1 ms"};
-    const auto with = [&](std::vector<std::string> words) {
-        words.insert(words.end(), quiet.begin(), quiet.begin() + (words[0] == "run" ? 4 : 2));
-        return run(words);
-    };
-    ASSERT_EQ(with({"run", given, "-o", whole}).code, 0);
-    ASSERT_EQ(with({"run", given, "-o", parts, "--until", "0.05 ms"}).code, 75);
-    const Json provenance = read_json(path("parts/PROVENANCE.json"));
-    ASSERT_EQ(provenance["inputs"].size(), 1u);
-    EXPECT_EQ(provenance["inputs"][0]["file"], "inputs/o.csv");
-    EXPECT_EQ(provenance["inputs"][0]["hash"], hexadecimal(checksum(text_of(shape))));
-    EXPECT_EQ(read_file(path("parts/inputs/o.csv")), text_of(shape));
-
-    // The same command, and other content at the same place.
-    std::ofstream(path("o.csv")) << text_of(ellipse(3.0, 2.1, 60));
-    EXPECT_EQ(with({"run", given, "-o", parts}).code, 4);
-    // The content of before, elsewhere, is the same case.
-    case_with(text_of(shape));
-    std::filesystem::rename(path("o.csv"), path("renamed.csv"));
-    EXPECT_EQ(with({"run", given, "--set", "cells.file=renamed.csv", "-o", whole}).code, 0);
-
-    std::filesystem::remove(path("renamed.csv"));
-    std::filesystem::remove(path("c.toml"));
-    std::filesystem::create_directory(path("far"));
-    std::filesystem::rename(parts, path("far/moved"));
-    const std::string moved = path("far/moved").string();
-    const Outcome resumed = with({"resume", moved});
-    EXPECT_EQ(resumed.code, 0) << resumed.err;
-    for (const char* name : {"series.csv", "cells.csv", "resolved.toml"})
-        EXPECT_EQ(read_file(path(std::string("far/moved/") + name)),
-                  read_file(path(std::string("whole/") + name)))
-            << name;
-
-    std::ofstream(path("whole/inputs/o.csv")) << text_of(ellipse(3.0, 2.1, 60));
-    EXPECT_EQ(with({"resume", whole}).code, 4);
 }
 
 }  // namespace
