@@ -23,6 +23,7 @@
 #include "io/json.hpp"
 #include "observe/progress.hpp"
 #include "observe/results_directory.hpp"
+#include "report/gnuplot.hpp"
 
 namespace tt {
 namespace {
@@ -80,7 +81,7 @@ public:
         : calibration_(started(read_targets(options.path))),
           directory_(options.directory.empty() ? fs::path("results") / calibration_.targets.name
                                                : fs::path(options.directory),
-                     read_file(options.path)),
+                     calibration_.targets.text),
           at_once_(options.jobs > 0 ? options.jobs : usable_processors()),
           command_line_(command_line),
           progress_(progress_mode(options.progress)) {
@@ -250,8 +251,9 @@ int calibrate(const CalibrateOptions& options, const std::string& command_line) 
     fmt::print("{}", options.json ? json.dump(2) + "\n" : describe(calibration));
     std::fflush(stdout);  // before what goes to stderr
     make_directory(calibrator.path() / "figures");
-    draw_valley(calibration, calibrator.path() / "figures");
-    tell_user("in '{}': calibration.json, figures/valley.svg\n", directory);
+    if (can_draw()) draw_valley(calibration, calibrator.path() / "figures");
+    tell_user("in '{}': calibration.json{}\n", directory,
+              can_draw() ? std::string(", figures/valley.svg") : fmt::format("\n{}", no_gnuplot));
     return exit_code::done;
 }
 

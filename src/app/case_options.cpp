@@ -1,5 +1,8 @@
 #include "app/case_options.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -11,6 +14,7 @@
 #include "base/processors.hpp"
 #include "base/units.hpp"
 #include "case/read.hpp"
+#include "io/file.hpp"
 
 namespace tt {
 
@@ -21,16 +25,31 @@ void add_case_options(CLI::App& verb, CaseOptions& options) {
     add_threads_option(verb, options.threads);
 }
 
-Case read_given_case(const CaseOptions& options) {
+GivenCase read_given_case(const CaseOptions& options) {
     namespace fs = std::filesystem;
     const fs::path given = options.path;
-    if (!fs::is_regular_file(given)) {
+    if (!fs::exists(given) || fs::is_directory(given)) {
         for (const fs::path& meant : {fs::path(options.path + ".toml"), given / "case.toml"})
             if (fs::is_regular_file(meant))
                 throw IoError(fmt::format("'{}' is not a case file; did you mean {}?", options.path,
                                           meant.string()));
     }
-    return read_case(given, options.overrides);
+    GivenCase result;
+    result.text = read_file(given, Author::user);
+    result.c =
+        parse_case(result.text, options.path, options.overrides, fs::absolute(given).parent_path());
+    return result;
+}
+
+void expect_memory(const Choice& choice) {
+    constexpr double bytes_per_site = 250.0;  // as `check` measures, with room for the program
+    double bytes = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
+                   static_cast<double>(::sysconf(_SC_PAGESIZE));
+    struct rlimit limit {};
+    if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));
+    expect_sites(choice, bytes / bytes_per_site,
+                 fmt::format("fit into {:.2g} GB of memory", 1e-9 * bytes));
 }
 
 void add_threads_option(CLI::App& verb, int& threads) {
@@ -53,7 +72,12 @@ Time parse_duration(std::string_view option, std::string_view text) {
     while (!rest.empty()) {
         const std::size_t length = number_length(rest);
         if (length == 0 || rest.front() == '-') refuse();
-        const double number = parse_measure(rest.substr(0, length)).si;
+        double number = 0.0;
+        try {
+            number = parse_measure(rest.substr(0, length)).si;
+        } catch (const UnitError&) {
+            refuse();  // too large to be a number
+        }
         rest.remove_prefix(length);
         const std::size_t end = std::min(rest.find_first_of("0123456789."), rest.size());
         std::string unit(rest.substr(0, end));

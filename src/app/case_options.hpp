@@ -6,6 +6,7 @@
 
 #include "base/quantity.hpp"
 #include "case/case.hpp"
+#include "case/choose.hpp"
 #include "simulation/model.hpp"
 
 namespace CLI {
@@ -24,9 +25,18 @@ struct CaseOptions {
 /// Adds the case file, --set and -j.
 void add_case_options(CLI::App& verb, CaseOptions& options);
 
+/// A case and the text of its file. A pipe can be read once only.
+struct GivenCase {
+    std::string text;
+    Case c;
+};
+
 /// Reads the case. Throws CaseError; IoError, with the file that was probably meant, if there is
 /// none.
-Case read_given_case(const CaseOptions& options);
+GivenCase read_given_case(const CaseOptions& options);
+
+/// Throws CaseError if the sites of the grid are more than the memory of this machine can hold.
+void expect_memory(const Choice& choice);
 
 /// Adds -j alone.
 void add_threads_option(CLI::App& verb, int& threads);

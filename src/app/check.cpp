@@ -25,7 +25,7 @@ struct CheckOptions {
 
 std::string with_spaces(std::int64_t number) {
     std::string text = std::to_string(number);
-    for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, " ");
+    for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ' ');
     return text;
 }
 
@@ -217,8 +217,9 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
 }
 
 int check(const CheckOptions& options) {
-    const Case c = read_given_case(options.given);
+    const Case c = read_given_case(options.given).c;
     const Choice choice = choose(c);
+    expect_memory(choice);
     Model model = discretise(c, choice);
     model.threads = thread_count(options.given.threads, model.lattice);
     const State initial = initial_state(c, model);

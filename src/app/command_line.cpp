@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <string>
@@ -14,6 +16,7 @@
 
 #include "app/verb.hpp"
 #include "base/error.hpp"
+#include "base/letter.hpp"
 #include "base/version.hpp"
 #include "base/words.hpp"
 
@@ -69,7 +72,7 @@ bool is_unknown_verb(const CLI::App& app, int argc, const char* const* argv) {
         names.push_back(name);
     }
     const auto near = closest(word, names);
-    tell_user("tanktread: unknown verb '{}'; {}\n", word,
+    tell_user("tanktread: unknown verb '{}'; {}\n", readable(word),
               near ? fmt::format("did you mean '{}'?", *near)
                    : fmt::format("verbs: {}", fmt::join(names, ", ")));
     return true;
@@ -102,6 +105,10 @@ int perform(const Action& action) {
         return tell(error.what(), exit_code::directory_in_use);
     } catch (const SimulationError& error) {
         return tell(error.what(), exit_code::unstable);
+    } catch (const std::filesystem::filesystem_error& error) {
+        return tell(
+            fmt::format("cannot use '{}': {}", error.path1().string(), error.code().message()),
+            exit_code::input_output);
     } catch (const std::bad_alloc&) {
         return tell("not enough memory; take a larger dx or a smaller box", exit_code::internal);
     } catch (const std::exception& error) {
@@ -109,7 +116,20 @@ int perform(const Action& action) {
     }
 }
 
-int run_command_line(int argc, const char* const* argv) {
+/// "help run" is "run --help", "help" is "--help".
+std::vector<const char*> with_help_last(int argc, const char* const* argv) {
+    std::vector<const char*> words(argv, argv + argc);
+    if (argc < 2 || std::string_view(argv[1]) != "help") return words;
+    words.erase(words.begin() + 1);
+    words.resize(std::min<std::size_t>(words.size(), 2));
+    words.push_back("--help");
+    return words;
+}
+
+int run_command_line(int given, const char* const* words) {
+    const std::vector<const char*> arguments = with_help_last(given, words);
+    const int argc = static_cast<int>(arguments.size());
+    const char* const* argv = arguments.data();
     CLI::App app("", "tanktread");
     Action action;
     std::string command_line = "tanktread";

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/verb.hpp"
+#include "base/letter.hpp"
 #include "case/reference.hpp"
 
 namespace tt {
@@ -18,7 +19,8 @@ struct KeysOptions {
 int show_keys(const KeysOptions& options) {
     const std::string text = options.markdown ? reference_markdown() : reference_text(options.word);
     if (text.empty())
-        throw CommandError(fmt::format("no key or table has '{}' in its name", options.word));
+        throw CommandError(
+            fmt::format("no key has '{}' in its name or meaning", readable(options.word)));
     fmt::print("{}", text);
     return exit_code::done;
 }
@@ -29,7 +31,7 @@ void add_keys(CLI::App& app, Action& action) {
     auto options = std::make_shared<KeysOptions>();
     CLI::App* verb =
         app.add_subcommand("keys", "show the keys of the case file and what they mean");
-    verb->add_option("word", options->word, "only tables and keys with this in their name");
+    verb->add_option("word", options->word, "only keys with this in their name or meaning");
     verb->add_flag("--markdown", options->markdown, "as a page (docs/keys.md)");
     verb->callback([options, &action] { action = [options] { return show_keys(*options); }; });
 }

@@ -12,6 +12,7 @@
 #include "app/verb.hpp"
 #include "base/error.hpp"
 #include "base/words.hpp"
+#include "case/run_name.hpp"
 #include "io/file.hpp"
 #include "io/toml.hpp"
 
@@ -43,6 +44,7 @@ std::string renamed(std::string text, const std::string& name) {
 }
 
 int write_case(const NewOptions& options) {
+    if (options.name.empty()) throw CommandError("new needs a name; write for example new channel");
     const std::filesystem::path given = options.name;
     const bool named = given.extension() == ".toml";
     const std::filesystem::path path =
@@ -52,7 +54,7 @@ int write_case(const NewOptions& options) {
         throw IoError(
             fmt::format("{} is there already; choose another name or remove it", path.string()));
     if (path.has_parent_path()) make_directory(path.parent_path());
-    replace_file(path, renamed(std::string(chosen.text), path.stem().string()),
+    replace_file(path, renamed(std::string(chosen.text), name_from(path.stem().string())),
                  Durability::process);
     fmt::print("wrote {}\n", path.string());
     std::fflush(stdout);  // before what goes to stderr

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/verb.hpp"
+#include "base/error.hpp"
+#include "base/tell.hpp"
 #include "observe/status.hpp"
 #include "report/export.hpp"
 #include "report/figures.hpp"
@@ -32,6 +35,9 @@ int show_status(const ResultsOptions& options) {
 
 int report(const ResultsOptions& options) {
     fmt::print("{}\n", write_report(options.directories, options.out).string());
+    std::fflush(stdout);  // before what goes to stderr
+    if (!can_draw())
+        tell_user("{}\nThe page has all else: checks, tables, charts, the player.\n", no_gnuplot);
     return exit_code::done;
 }
 
@@ -43,6 +49,7 @@ int export_results(const ResultsOptions& options) {
     } else if (options.to == "csv") {
         export_csv(directory, out);
     } else if (options.to == "png") {
+        if (!can_draw()) throw IoError(std::string(no_gnuplot));
         const std::vector<Results> runs{read_results(directory)};
         draw_figures(runs, out);
     } else {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/case_options.hpp"
@@ -11,10 +12,10 @@
 #include "app/run_request.hpp"
 #include "app/verb.hpp"
 #include "base/units.hpp"
+#include "case/appraise.hpp"
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
 #include "exchange/periodic.hpp"
-#include "io/file.hpp"
 #include "observe/run_case.hpp"
 
 namespace tt {
@@ -24,57 +25,68 @@ namespace fs = std::filesystem;
 
 struct RunOptions {
     CaseOptions given;
-    std::string directory;
-    std::string max_time, until;
+    std::optional<std::string> directory;
+    std::optional<std::string> max_time, until;
     std::string progress = "auto";
     bool fresh = false;
 };
+
+/// What to do next, for people: a reader of --progress json sees nothing but JSON.
+void tell_next(const RunRequest& request, const std::string& advice) {
+    std::fflush(stdout);  // before what goes to stderr
+    if (request.progress != ProgressMode::json) tell_user("{}\n", advice);
+}
 
 int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
     const std::string directory = request.directory.string();
     switch (outcome.ending) {
         case RunOutcome::Ending::done:
             fmt::print("{}\n", directory);
-            std::fflush(stdout);  // before what goes to stderr
-            tell_user("next:  tanktread report {}\n", directory);
+            tell_next(request, fmt::format("next:  tanktread report {}", directory));
             return exit_code::done;
         case RunOutcome::Ending::was_done:
             fmt::print("{}\n", directory);
-            std::fflush(stdout);
-            tell_user("{} is finished, {} steps; --fresh begins anew and keeps it beside\n",
-                      directory, outcome.steps);
+            tell_next(request, fmt::format("{} is finished, {} steps; --fresh begins anew and "
+                                           "keeps it beside",
+                                           directory, outcome.steps));
             return exit_code::done;
         case RunOutcome::Ending::stopped:
             break;
     }
-    tell_user("next:  tanktread resume {}\n", directory);
+    tell_next(request, fmt::format("next:  tanktread resume {}", directory));
     return exit_code::stopped_early;
 }
 
 int run(const RunOptions& options, const std::string& command_line) {
-    const Case c = read_given_case(options.given);
+    const GivenCase given = read_given_case(options.given);
+    const Case& c = given.c;
     const Choice choice = choose(c);
+    expect_memory(choice);
     Model model = discretise(c, choice);
     model.threads = thread_count(options.given.threads, model.lattice);
     RunRequest request = request_for(c, choice, model);
     request.directory =
-        options.directory.empty() ? fs::path("results") / c.name : fs::path(options.directory);
-    request.case_toml = read_file(options.given.path);
+        options.directory ? fs::path(*options.directory) : fs::path("results") / c.name;
+    if (request.directory.empty()) throw CommandError("-o needs the name of a directory");
+    request.case_toml = given.text;
     request.command_line = command_line;
     request.progress = progress_mode(options.progress);
     request.start = options.fresh ? Start::fresh : Start::resume;
-    if (!options.max_time.empty())
-        request.max_time = parse_duration("--max-time", options.max_time);
-    if (!options.until.empty()) {
-        const Time until = parse_time("--until", options.until);
+    if (options.max_time) request.max_time = parse_duration("--max-time", *options.max_time);
+    if (options.until) {
+        const Time until = parse_time("--until", *options.until);
         if (until > c.time.end)
             throw CommandError(fmt::format("--until {} is beyond the end of the case, {}",
-                                           options.until, to_text(c.time.end)));
+                                           *options.until, to_text(c.time.end)));
         request.until = until;
     }
+    const auto start = [&] {
+        State initial = initial_state(c, model);
+        expect_stable(c, choice, model, initial);
+        return initial;
+    };
     Periodic exchange;
-    const RunOutcome outcome = run_case(
-        request, model, [&] { return initial_state(c, model); }, exchange);
+    const RunOutcome outcome = run_case(request, model, start, exchange);
     return tell_outcome(outcome, request);
 }
 
@@ -114,7 +126,7 @@ void add_resume(CLI::App& app, Action& action, const std::string& command_line) 
     verb->footer("To the same bits as if it had never stopped.");
     verb->callback([options, &action, &command_line] {
         action = [options, &command_line] {
-            options->given.path = (fs::path(options->directory) / "resolved.toml").string();
+            options->given.path = (fs::path(*options->directory) / "resolved.toml").string();
             return run(*options, command_line);
         };
     });

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 
 #include "app/verb.hpp"
@@ -24,8 +25,8 @@ RunRequest request_for(const Case& c, const Choice& choice, const Model& model) 
     request.series = c.output.series.value_or(Time{c.time.end.si / 500.0});
     request.frames = c.output.frames.value_or(Time{c.time.end.si / 50.0});
     request.checkpoint = c.output.checkpoint;
-    if (!c.numerics.fluid_only && choice.shear_rate.si > 0.0)
-        request.shear_number = c.plasma.viscosity.si * choice.shear_rate.si *
+    if (!c.numerics.fluid_only && choice.shear_rate.si != 0.0)
+        request.shear_number = c.plasma.viscosity.si * std::abs(choice.shear_rate.si) *
                                equivalent_radius(c).si / c.membrane.shear_modulus.si;
     return request;
 }

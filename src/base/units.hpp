@@ -22,7 +22,7 @@ struct Measure {
 };
 
 /// Reads "80 um", "500 /s", "1.8e-12 dyn cm", "38 %", "1025 kg/m^3". Units are products, quotients
-/// and whole powers of the symbols in base/units.cpp with the prefixes f p n u m c k M G. The
+/// and whole powers of the symbols in base/unit.cpp with the prefixes z a f p n u m c d k M G. The
 /// conversion is exact in decimal and rounded once, so that "80 um", "0.08 mm" and "8e-5 m" are the
 /// same double (test Units.same_length_same_bits). Throws UnitError.
 Measure parse_measure(std::string_view text);

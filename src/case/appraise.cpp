@@ -7,7 +7,9 @@
 #include <numeric>
 #include <variant>
 
+#include "base/error.hpp"
 #include "base/units.hpp"
+#include "case/plausibility.hpp"
 #include "membrane/outline_checks.hpp"
 #include "membrane/stability.hpp"
 #include "simulation/schedule.hpp"
@@ -35,7 +37,7 @@ void count_all(const Case& c, const Choice& choice, const State& initial, Apprai
 }
 
 void characterise(const Case& c, const Choice& choice, const Model& model, Appraisal& a) {
-    const double k = choice.shear_rate.si;
+    const double k = std::abs(choice.shear_rate.si);
     const double mu = c.plasma.viscosity.si;
     const double rho = c.plasma.density.si;
     const double radius = equivalent_radius(c).si;
@@ -64,12 +66,16 @@ void bound(const Choice& choice, const Model& model, Appraisal& a) {
     const Membrane& membrane = model.membrane;
     const double stretch = choice.expected_stretch;
     const std::string at = fmt::format("at stretch {:.3g}", stretch);
+    const bool late = choice.relaxation_time > 1.5;
     a.bounds.push_back({"membrane tension",
-                        tension_step_number(tension_slope(membrane, stretch), viscosity, 1.0, 1.0),
-                        tension_step_limit, "T' dt/(mu dx) " + at});
-    a.bounds.push_back(
-        {"bending", bending_step_number(bending_modulus(membrane, stretch), viscosity, 1.0, 1.0),
-         bending_step_limit, "E_b dt/(mu dx^3) " + at});
+                        tension_step_number(tension_slope(membrane, stretch), viscosity,
+                                            choice.relaxation_time, 1.0, 1.0),
+                        tension_step_limit,
+                        (late ? "(tau-1/2) T' dt/(mu dx) " : "T' dt/(mu dx) ") + at});
+    const double lesser = std::min(model.viscosity.plasma, model.viscosity.cytoplasm);
+    a.bounds.push_back({"bending",
+                        bending_step_number(bending_modulus(membrane, stretch), lesser, 1.0, 1.0),
+                        bending_step_limit, "E_b dt/(mu dx^3) " + at});
     if (membrane.hold_area) return;  // the area cannot run away
     const double cell_stretch = expected_cell_stretch(stretch);
     a.bounds.push_back({"area pressure",
@@ -85,9 +91,14 @@ void size_output(const Case& c, Appraisal& a) {
     const double end = c.time.end.si;
     const double series = c.output.series ? c.output.series->si : end / 500.0;
     const double frames = c.output.frames ? c.output.frames->si : end / 50.0;
-    a.frames = static_cast<std::int64_t>(end / frames) + 1;
+    // At most one a step, however short the interval.
+    const auto times = [&](double interval) {
+        return 1 +
+               static_cast<std::int64_t>(std::min(end / interval, static_cast<double>(a.steps)));
+    };
+    a.frames = times(frames);
     a.frame_bytes = 48 * a.nodes + 16 * a.sites;
-    const auto rows = static_cast<std::int64_t>(end / series) + 1;
+    const std::int64_t rows = times(series);
     const std::int64_t checkpoints = 2 * (72 * a.sites + 100 * a.nodes);
     a.disk_bytes = a.frames * a.frame_bytes + rows * 14 * (40 + 22 * a.cells) + checkpoints;
 }
@@ -180,11 +191,20 @@ void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& 
         adviser.consider(
             "With a sharp jump of viscosity the error does not fall as dx^2 (studies/interface). "
             "Write interface_viscosity = \"area-fraction\".");
-    if (a.viscosity_ratio > 20.0)
-        adviser.consider(
-            "Viscosity ratio {:.3g}: at 20 runs were stable, at 100 one blew up at the step of "
-            "auto. Look at its first milliseconds before a long run.",
-            a.viscosity_ratio);
+    if (std::max(a.viscosity_ratio, 1.0 / a.viscosity_ratio) > largest_corrected_contrast) {
+        if (choice.jump_correction)
+            adviser.refuse(
+                "Viscosity ratio {:.3g}: with the jump at the membrane corrected, segments fold "
+                "whatever the time step. Write jump_correction = false in [numerics], or leave it "
+                "out.",
+                a.viscosity_ratio);
+        else
+            adviser.consider(
+                "Viscosity ratio {:.3g} is beyond what the jump at the membrane can be corrected "
+                "for (1/20 to 20): the error falls as dx only. At ratio 50 and 100, with 20 sites "
+                "to the radius, D was 9 to 24 % high.",
+                a.viscosity_ratio);
+    }
     if (c.contact.model == "morse" && a.cells > 1 &&
         c.contact.zero_force_distance.si < 1.5 * choice.dx.si)
         adviser.consider(
@@ -242,6 +262,13 @@ bool Appraisal::refused() const {
                        [](const Advice& x) { return x.weight == Advice::Weight::refuse; });
 }
 
+void expect_stable(const Case& c, const Choice& choice, const Model& model, const State& initial) {
+    std::vector<Fault> faults;
+    for (const Advice& advice : appraise(c, choice, model, initial).advice)
+        if (advice.weight == Advice::Weight::refuse) faults.push_back({"", 0, 0, advice.text});
+    if (!faults.empty()) throw CaseError(std::move(faults));
+}
+
 Appraisal appraise(const Case& c, const Choice& choice, const Model& model, const State& initial) {
     Appraisal a;
     count_all(c, choice, initial, a);
@@ -254,6 +281,8 @@ Appraisal appraise(const Case& c, const Choice& choice, const Model& model, cons
     advise_on_resolution(c, choice, a, adviser);
     advise_on_outline(c, initial, adviser);
     advise_on_physics(c, a, adviser);
+    const std::vector<Advice> unusual = implausible_numbers(c, choice, a);
+    a.advice.insert(a.advice.end(), unusual.begin(), unusual.end());
     return a;
 }
 

@@ -25,10 +25,15 @@ struct DomainCase {
 struct FlowCase {
     std::string drive = "none";             ///< none | pressure | body-force | shear
     std::optional<Rate> pseudo_shear_rate;  ///< mean velocity / width (pressure, body-force)
-    std::optional<PressureGradient> pressure_gradient;  ///< instead of pseudo_shear_rate
-    std::string hold = "pressure-drop";                 ///< pressure-drop | mean-velocity
-    std::string start = "developed";  ///< developed: the flow without cells | rest
-    std::optional<Rate> shear_rate;   ///< drive = shear: walls move with ± shear_rate · width / 2
+    // Instead of pseudo_shear_rate, of plasma alone; negative: to the left.
+    std::optional<Velocity> mean_velocity;
+    std::optional<Velocity> largest_velocity;
+    std::optional<KinematicViscosity> flow_rate;  ///< per depth: mean velocity · width
+    std::optional<Pressure> wall_stress;
+    std::optional<PressureGradient> pressure_gradient;
+    std::string hold = "pressure-drop";  ///< pressure-drop | mean-velocity
+    std::string start = "developed";     ///< developed: the flow without cells | rest
+    std::optional<Rate> shear_rate;  ///< drive = shear: walls move with ± shear_rate · width / 2
     std::optional<double> shear_number;  ///< G = μ k a / E_s (Eq. 19), instead of shear_rate
 
     friend bool operator==(const FlowCase&, const FlowCase&) = default;
@@ -133,10 +138,9 @@ struct NumericsCase {
     std::string interface_viscosity = "area-fraction";  ///< sharp | smoothed | area-fraction
     std::string viscosity_mean =
         "harmonic";  ///< harmonic | arithmetic, of a site that holds both fluids
-    bool jump_correction =
-        true;  ///< second-order correction of slip and node velocity at membranes
-    double smoothing_width = 2.0;  ///< half width in sites
-    bool fluid_only = false;       ///< cells absent: plain channel
+    std::optional<bool> jump_correction;  ///< of slip and node velocity at membranes, second order
+    double smoothing_width = 2.0;         ///< half width in sites
+    bool fluid_only = false;              ///< cells absent: plain channel
 
     friend bool operator==(const NumericsCase&, const NumericsCase&) = default;
 };

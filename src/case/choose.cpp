@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/units.hpp"
+#include "case/channel_flow.hpp"
 #include "case/membrane_of.hpp"
 
 namespace tt {
@@ -40,29 +42,28 @@ void choose_grid(const Case& c, Choice& choice) {
     }
 }
 
-/// Nominal shear rate, largest speed, pressure gradient.
+/// Nominal shear rate, largest speed, pressure gradient. Returns their magnitudes: no limit of the
+/// step depends on the direction.
 Undisturbed choose_flow(const Case& c, Choice& choice) {
     const double width = c.domain.width.si, viscosity = c.plasma.viscosity.si;
     const FlowCase& flow = c.flow;
-    Rate wall_rate;
+    double at_walls = 0.0, fastest = 0.0;  // of the shear rate and the width
     if (flow.drive == "shear") {
-        const double k = flow.shear_rate
-                             ? flow.shear_rate->si
-                             : flow.shear_number.value_or(0.0) * c.membrane.shear_modulus.si /
-                                   (viscosity * equivalent_radius(c).si);
-        choice.shear_rate = wall_rate = Rate{k};
-        choice.largest_speed = Velocity{0.5 * k * width};
+        choice.shear_rate =
+            Rate{flow.shear_rate ? flow.shear_rate->si
+                                 : flow.shear_number.value_or(0.0) * c.membrane.shear_modulus.si /
+                                       (viscosity * equivalent_radius(c).si)};
+        at_walls = 1.0, fastest = 0.5;
     } else if (flow.drive != "none") {
         // Poiseuille: U = g H²/(12 μ), largest speed 3/2 U, shear rate at the walls 6 U/H.
-        const double k = flow.pseudo_shear_rate
-                             ? flow.pseudo_shear_rate->si
-                             : flow.pressure_gradient->si * width / (12.0 * viscosity);
-        choice.shear_rate = Rate{k};
-        wall_rate = Rate{6.0 * k};
-        choice.largest_speed = Velocity{1.5 * k * width};
-        choice.pressure_gradient = PressureGradient{12.0 * viscosity * k / width};
+        choice.shear_rate = pseudo_shear_rate(c);
+        choice.pressure_gradient =
+            PressureGradient{12.0 * viscosity * choice.shear_rate.si / width};
+        at_walls = 6.0, fastest = 1.5;
     }
-    return {choice.shear_rate, wall_rate, choice.largest_speed};
+    const double k = std::abs(choice.shear_rate.si);
+    choice.largest_speed = Velocity{fastest * k * width};
+    return {Rate{k}, Rate{at_walls * k}, choice.largest_speed};
 }
 
 /// Of Δt, τ and S: what is given stays, the rest follows.
@@ -92,6 +93,15 @@ void choose_step(const Case& c, const Undisturbed& flow, Choice& choice) {
                 : n.density_scale ? Time{half_step * *n.density_scale * unit}
                                   : choice.limits.front().step;
     choice.density_scale = choice.dt.si / (half_step * unit);
+    constexpr double most = 1e12;  // a year at 30 000 steps a second
+    if (c.time.end.si / choice.dt.si > most)
+        throw CaseError(
+            {{"", 0, 0,
+              fmt::format("[time] end = {} takes {:.2g} steps of {}, and at most {:.0g} "
+                          "are possible; write end = \"{}\"",
+                          to_text(c.time.end), c.time.end.si / choice.dt.si,
+                          rounded_text(choice.dt), most,
+                          rounded_text(Time{0.9 * most * choice.dt.si}, 2))}});
 }
 
 /// Without advection and at a raised density a cell that is carried along feels its own speed
@@ -101,14 +111,25 @@ std::string choose_equilibrium(const Case& c) {
     return carries_cells(c) ? "incompressible" : "linear";
 }
 
+/// By how many times the viscosities differ, whichever is the larger.
+double viscosity_contrast(const Case& c) {
+    const double ratio = c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si;
+    return std::max(ratio, 1.0 / ratio);
+}
+
 /// The narrower kernel has about half the error. But where the viscosities differ much, its
 /// correction of the jump answers node-sized wiggles the wrong way round
 /// (docs/theory/interface.md).
 std::string choose_delta(const Case& c) {
     if (c.numerics.delta != "auto") return c.numerics.delta;
     constexpr double largest = 10.0 * (1.0 + 1e-9);  // "12 cP" over "1.2 cP" is 10.000000000000002
-    const double ratio = c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si;
-    return std::max(ratio, 1.0 / ratio) <= largest ? "roma3" : "peskin4";
+    return viscosity_contrast(c) <= largest ? "roma3" : "peskin4";
+}
+
+/// Where the viscosities differ by more the correction takes off more than node-sized wiggles move,
+/// and they grow whatever the time step (docs/theory/interface.md).
+bool choose_jump_correction(const Case& c) {
+    return c.numerics.jump_correction.value_or(viscosity_contrast(c) <= largest_corrected_contrast);
 }
 
 /// k_p: well within what the lattice fluid's compressibility allows, at most 10 kPa. Of a cell
@@ -126,7 +147,7 @@ Pressure choose_area_stiffness(const Case& c, const Choice& choice) {
 
 double Choice::cell_reynolds(const Case& c) const {
     const double radius = equivalent_radius(c).si;
-    return density_scale * c.plasma.density.si * shear_rate.si * radius * radius /
+    return density_scale * c.plasma.density.si * std::abs(shear_rate.si) * radius * radius /
            c.plasma.viscosity.si;
 }
 
@@ -137,11 +158,31 @@ double Choice::expected_change() const {
     return change;
 }
 
+void expect_sites(const Choice& choice, double most, const std::string& why) {
+    const double sites = static_cast<double>(choice.nx) * choice.ny;
+    if (sites <= most) return;
+    // Coarser by a whole number that divides both sides, else shorter.
+    constexpr int coarsest = 1000;
+    int factor = static_cast<int>(std::ceil(std::sqrt(sites / most)));
+    while (factor <= coarsest && (choice.nx % factor != 0 || choice.ny % factor != 0)) ++factor;
+    const auto text = [](double length) { return rounded_text(Length{length}, 9); };
+    throw CaseError(
+        {{"", 0, 0,
+          fmt::format("[domain] the box has {:.3g} sites of {}, and at most {:.3g} {}; write {}",
+                      sites, rounded_text(choice.dx), most, why,
+                      factor <= coarsest
+                          ? fmt::format("dx = \"{}\"", text(factor * choice.dx.si))
+                          : fmt::format("length = \"{}\"",
+                                        text(std::floor(most / choice.ny) * choice.dx.si)))}});
+}
+
 Choice choose(const Case& c) {
     Choice choice;
     choose_grid(c, choice);
+    expect_sites(choice, 1e9, "are possible");
     choice.equilibrium = choose_equilibrium(c);
     choice.delta = choose_delta(c);
+    choice.jump_correction = choose_jump_correction(c);
     choose_step(c, choose_flow(c, choice), choice);
     choice.node_spacing = c.numerics.node_spacing.value_or(1.0);
     choice.area_stiffness = choose_area_stiffness(c, choice);

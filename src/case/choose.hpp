@@ -9,18 +9,23 @@
 
 namespace tt {
 
+/// By how many times the viscosities may differ where the jump at the membrane is corrected. At 20
+/// runs hold, at 50 they fold (docs/theory/interface.md).
+inline constexpr double largest_corrected_contrast = 20.0 * (1.0 + 1e-9);
+
 /// What the case leaves open, decided: the answer to "which dx, dt, τ?". SI.
 struct Choice {
     int nx = 0, ny = 0;
     Length dx;
     Time dt;
-    double relaxation_time = 1.0;        ///< τ of the plasma
-    double density_scale = 1.0;          ///< S
-    double node_spacing = 1.0;           ///< in sites
-    std::string equilibrium;             ///< linear | incompressible | full
-    std::string delta;                   ///< cosine4 | hat2 | roma3 | peskin4
-    Rate shear_rate;                     ///< nominal k, or pseudo-shear rate
-    Velocity largest_speed;              ///< expected of the undisturbed flow
+    double relaxation_time = 1.0;  ///< τ of the plasma
+    double density_scale = 1.0;    ///< S
+    double node_spacing = 1.0;     ///< in sites
+    std::string equilibrium;       ///< linear | incompressible | full
+    std::string delta;             ///< cosine4 | hat2 | roma3 | peskin4
+    bool jump_correction = true;
+    Rate shear_rate;                     ///< nominal k, or pseudo-shear rate; negative: to the left
+    Velocity largest_speed;              ///< of the undisturbed flow
     PressureGradient pressure_gradient;  ///< of the plasma-only estimate 12 μ U / H²
     Pressure area_stiffness;             ///< k_p
     double expected_stretch = 1.0;       ///< largest of a membrane segment
@@ -33,6 +38,10 @@ struct Choice {
     /// applies.
     double expected_change() const;
 };
+
+/// Throws CaseError, with what to write, if the grid has more than `most` sites; `why` ends "at
+/// most … ".
+void expect_sites(const Choice& choice, double most, const std::string& why);
 
 /// Decides grid, time step, relaxation time and density scale. Whatever the case states is kept; of
 /// Δt, τ and S the third follows from two by ν = μ/(S ρ) = (τ − ½)/3 · Δx²/Δt. Throws CaseError

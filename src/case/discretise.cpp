@@ -81,7 +81,7 @@ Model discretise(const Case& c, const Choice& choice) {
     m.precision = c.numerics.precision == "single" ? Precision::fp32 : Precision::fp64;
     m.delta = delta_of(choice.delta);
     m.viscosity = viscosity_of(c, choice, m.scales);
-    if (c.numerics.jump_correction) m.jump = jump_correction(m.delta, m.viscosity);
+    if (choice.jump_correction) m.jump = jump_correction(m.delta, m.viscosity);
     m.membrane = membrane_of(c.membrane, m.scales);
     m.membrane.area_stiffness = m.scales.to_lattice(choice.area_stiffness);
     m.contact = contact_of(c, m.scales);

@@ -8,10 +8,12 @@
 #include <tuple>
 #include <utility>
 
+#include "base/letter.hpp"
 #include "base/words.hpp"
 #include "base/units.hpp"
 #include "case/read_outline.hpp"
 #include "case/reader.hpp"
+#include "case/run_name.hpp"
 #include "case/schema.hpp"
 #include "case/validate.hpp"
 #include "io/file.hpp"
@@ -22,26 +24,25 @@ namespace {
 
 using Kind = TomlNode::Kind;
 
-/// Takes the key that excludes `path` out of the file's tree.
+/// Takes the keys that exclude `path` out of the file's tree.
 void remove_excluded(TomlNode& root, std::string_view path) {
-    for (const Exclusive& pair : exclusive_keys) {
-        const std::string_view partner = path == pair.one     ? pair.other
-                                         : path == pair.other ? pair.one
-                                                              : "";
-        if (partner.empty()) continue;
-        TomlEntry* table = root.find(partner.substr(0, partner.find('.')));
-        const std::string_view key = partner.substr(partner.find('.') + 1);
-        auto& entries = table->value.entries;
-        entries.erase(
-            std::remove_if(entries.begin(), entries.end(),
-                           [&](const TomlEntry& e) { return e.key == key && e.origin.empty(); }),
-            entries.end());
+    const std::string_view name = path.substr(0, path.find('.'));
+    const std::string_view key = path.substr(std::min(name.size() + 1, path.size()));
+    for (const Exclusive& exclusive : exclusive_keys) {
+        const auto among = [&](std::string_view word) {
+            return std::find(exclusive.keys.begin(), exclusive.keys.end(), word) !=
+                   exclusive.keys.end();
+        };
+        if (name != exclusive.table || !among(key)) continue;
+        std::erase_if(root.find(name)->value.entries, [&](const TomlEntry& e) {
+            return e.key != key && among(e.key) && e.origin.empty();
+        });
     }
 }
 
 /// Puts "table.key=value" into the tree as if the file had it.
 void apply_override(TomlNode& root, const std::string& text, std::vector<Fault>& faults) {
-    const std::string origin = "--set " + text;
+    const std::string origin = origin_of(text);
     const std::size_t equals = text.find('=');
     const std::string path = text.substr(0, equals);
     const auto keys = split(path, '.');
@@ -92,7 +93,21 @@ std::string shown(const std::filesystem::path& path) {
 std::string default_name(const std::filesystem::path& file) {
     const std::string stem = file.stem().string();
     const std::string folder = file.parent_path().filename().string();
-    return stem == "case" && !folder.empty() && folder != "." ? folder : stem;
+    return name_from(stem == "case" && !folder.empty() && folder != "." ? folder : stem);
+}
+
+/// A name that was not given is made from that of the file; one that cannot be read has its fault
+/// already.
+void judge_name(const TomlNode& root, Reader<Case>& reader, Case& c, const std::string& file) {
+    const TomlEntry* given = root.find("name");
+    if (given == nullptr) {
+        c.name = default_name(file);
+    } else if (given->value.kind == Kind::string || !c.name.empty()) {
+        const auto fault = fault_of_name(c.name);
+        if (!fault) return;
+        reader.faults.push_back(reader.places.at("name"));
+        reader.faults.back().message = *fault;
+    }
 }
 
 /// The outline that `cells.file` names, into the case. Its own area is the size of the cells.
@@ -102,7 +117,7 @@ std::vector<Fault> read_shape_file(Case& c, const Places& places) {
     if (cells.shape != "file" || !cells.file) return {};
     try {
         const std::filesystem::path path = *cells.file;
-        cells.outline = read_outline(read_file(path), shown(path), cells);
+        cells.outline = read_outline(read_file(path, Author::user), shown(path), cells);
     } catch (const CaseError& error) {
         return error.faults();
     } catch (const IoError& error) {
@@ -123,6 +138,8 @@ std::vector<Fault> read_shape_file(Case& c, const Places& places) {
 
 }  // namespace
 
+std::string origin_of(const std::string& item) { return "--set " + readable(item); }
+
 Case parse_case(std::string_view text, const std::string& name,
                 const std::vector<std::string>& overrides, const std::filesystem::path& directory) {
     TomlText toml = parse_toml(text, name);
@@ -133,7 +150,7 @@ Case parse_case(std::string_view text, const std::string& name,
     if (whole || !toml.root.entries.empty()) {
         Reader<Case> reader(name);
         reader.read_table(toml.root, nullptr, "", result);
-        if (result.name.empty()) result.name = default_name(name);
+        judge_name(toml.root, reader, result, name);
         if (result.cells.file)
             result.cells.file = (directory / *result.cells.file).lexically_normal().string();
         const bool read = reader.faults.empty();
@@ -162,10 +179,7 @@ Case parse_case(std::string_view text, const std::string& name,
 }
 
 Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error))
-        throw IoError(fmt::format("{} is a directory; name the case file in it", path.string()));
-    return parse_case(read_file(path), path.string(), overrides,
+    return parse_case(read_file(path, Author::user), path.string(), overrides,
                       std::filesystem::absolute(path).parent_path());
 }
 

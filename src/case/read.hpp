@@ -21,4 +21,7 @@ Case parse_case(std::string_view text, const std::string& name,
                 const std::vector<std::string>& overrides = {},
                 const std::filesystem::path& directory = {});
 
+/// What stands in faults of an override in the place of the file.
+std::string origin_of(const std::string& item);
+
 }  // namespace tt

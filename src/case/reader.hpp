@@ -6,6 +6,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "base/letter.hpp"
 #include "base/words.hpp"
 #include "case/field_types.hpp"
 #include "case/validate.hpp"
@@ -128,8 +129,8 @@ private:
         std::string message =
             path.empty() ? fmt::format("unknown {} '{}'",
                                        entry.value.kind == TomlNode::Kind::table ? "table" : "key",
-                                       entry.key)
-                         : fmt::format("unknown key '{}' in [{}]", entry.key, path);
+                                       readable(entry.key))
+                         : fmt::format("unknown key '{}' in [{}]", readable(entry.key), path);
         if (const auto near = closest(entry.key, keys); near && elsewhere.empty())
             message += fmt::format("; did you mean '{}'?", *near);
         else if (!elsewhere.empty())

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -92,8 +93,44 @@ std::vector<TableLines> all_tables() {
     return tables;
 }
 
-bool contains(const std::string& text, std::string_view word) {
-    return text.find(word) != std::string::npos;
+/// Whatever the case of its letters.
+bool contains(std::string_view text, std::string_view word) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+    return std::search(text.begin(), text.end(), word.begin(), word.end(),
+                       [&](char a, char b) { return lower(a) == lower(b); }) != text.end();
+}
+
+std::string full_name(const TableLines& table, const KeyLine& line) {
+    return table.name.empty() ? line.key : table.name + "." + line.key;
+}
+
+/// The tables with those of their keys of which `wanted(table, key)` holds.
+template <class Wanted>
+std::vector<TableLines> chosen(Wanted wanted) {
+    std::vector<TableLines> tables = all_tables();
+    for (TableLines& table : tables)
+        std::erase_if(table.keys, [&](const KeyLine& line) { return !wanted(table, line); });
+    std::erase_if(tables, [](const TableLines& table) { return table.keys.empty(); });
+    return tables;
+}
+
+std::string listed(const std::vector<TableLines>& tables) {
+    constexpr std::size_t width = 79;
+    constexpr std::size_t indent = 6;
+    const std::string margin(indent, ' ');
+    std::string text;
+    for (const TableLines& table : tables) {
+        const std::string header =
+            table.name.empty() ? table.meaning : fmt::format("[{}]  {}", table.name, table.meaning);
+        text += fmt::format("{}{}\n", text.empty() ? "" : "\n", wrapped(header, width, 2));
+        for (const KeyLine& line : table.keys) {
+            text += fmt::format("  {}\n{}{}\n", line.example, margin,
+                                wrapped(line.meaning, width, indent));
+            if (!line.bounds.empty())
+                text += fmt::format("{}{}\n", margin, wrapped(line.bounds, width, indent));
+        }
+    }
+    return text;
 }
 
 std::string escaped(std::string_view text) {
@@ -105,26 +142,20 @@ std::string escaped(std::string_view text) {
 }  // namespace
 
 std::string reference_text(std::string_view word) {
-    constexpr std::size_t width = 79;
-    constexpr std::size_t indent = 6;
-    std::string text;
-    for (const TableLines& table : all_tables()) {
-        const bool whole = contains(table.name, word);
-        std::string body;
-        for (const KeyLine& line : table.keys) {
-            if (!whole && !contains(line.key, word)) continue;
-            const std::string margin(indent, ' ');
-            body += fmt::format("  {}\n{}{}\n", line.example, margin,
-                                wrapped(line.meaning, width, indent));
-            if (!line.bounds.empty())
-                body += fmt::format("{}{}\n", margin, wrapped(line.bounds, width, indent));
-        }
-        if (body.empty()) continue;
-        const std::string header =
-            table.name.empty() ? table.meaning : fmt::format("[{}]  {}", table.name, table.meaning);
-        text += fmt::format("{}{}\n{}", text.empty() ? "" : "\n", wrapped(header, width, 2), body);
-    }
-    return text;
+    const auto named = [&](const TableLines& table, const KeyLine& line) {
+        return contains(full_name(table, line), word);
+    };
+    const auto told_of = [&](const TableLines& table, const KeyLine& line) {
+        return !named(table, line) && (contains(line.meaning, word) || contains(line.bounds, word));
+    };
+    const std::string text = listed(chosen(named));
+    if (text.empty()) return listed(chosen(told_of));
+    std::string others;
+    for (const TableLines& table : chosen(told_of))
+        for (const KeyLine& line : table.keys)
+            others += (others.empty() ? "" : ", ") + full_name(table, line);
+    if (others.empty()) return text;
+    return text + "\n" + wrapped("What these do has it too: " + others, 79, 2) + "\n";
 }
 
 std::string reference_markdown() {
@@ -134,12 +165,16 @@ std::string reference_markdown() {
         "holds both together.\n\n"
         "A quantity is a string with its unit: `\"80 um\"`, `\"6e-3 dyn/cm\"`, `\"500 /s\"`. Any "
         "unit of the right kind will\n"
-        "do, with the prefixes f p n u m c k M G on m, g, s, Hz, N, dyn, J, erg, Pa, bar, P, St "
-        "and L; also min, h, mmHg,\n"
-        "%, deg and rad. Under a `/` stands one unit, or several in brackets. A key that says "
-        "\"may be left out\" may also be\n"
-        "`\"auto\"`. The values shown are those in force without the key, or an example where "
-        "there is none.\n";
+        "do, with the prefixes z a f p n u m c d k M G on m, g, s, Hz, N, dyn, J, erg, eV, Pa, "
+        "bar, "
+        "mH2O, P, St and L; also\n"
+        "min, h, mmHg, atm, %, deg, rad and kT, which is at 310 K: 4.28e-21 J. Between units "
+        "stands "
+        "a space, `*` or `.`; powers\n"
+        "are `m^3`, `m3` or `s-1`. Under a `/` stands one unit, or several in brackets. A key that "
+        "says \"may be left out\" may\n"
+        "also be `\"auto\"`. The values shown are those in force without the key, or an example "
+        "where there is none.\n";
     for (const TableLines& table : all_tables()) {
         const std::string header =
             table.name.empty() ? "At the top" : fmt::format("[{}]", table.name);

@@ -53,6 +53,7 @@ std::string resolved_toml(const Case& c, const Choice& choice, const Model& mode
     text += line("plasma.viscosity", c.plasma.viscosity, s);
     if (c.numerics.fluid_only) return text;
     text += fmt::format("# {:<24} {}\n", "delta", choice.delta);
+    text += fmt::format("# {:<24} {}\n", "jump_correction", choice.jump_correction);
     text += line("cytoplasm_viscosity", c.cells.cytoplasm_viscosity, s);
     text += line("radius", equivalent_radius(c), s);
     text += line("shear_modulus", c.membrane.shear_modulus, s);

@@ -7,10 +7,14 @@ namespace tt {
 
 // One list per table of the case file. From these lists alone come parsing, range faults, faults of
 // unknown keys, unit conversion, the reference of keys (docs/keys.md) and the echo in
-// resolved.toml. A field whose default lies outside its own range must be given by the user.
+// resolved.toml. A field whose default lies outside its own range must be given by the user. Ranges
+// are wide, but finite: no product of numbers within them overflows, and each end of each is tried
+// (tests/app/ranges.py).
 
 inline constexpr Range box_size{1e-7, 1e-1};
 inline constexpr Range fluid_viscosity{1e-6, 1e3};
+inline constexpr Range shear_rates{-1e6, 1e6};
+inline constexpr Range contact_range{1e-9, 1e-3};
 
 template <>
 struct FieldList<DomainCase> {
@@ -38,14 +42,39 @@ struct FieldList<FlowCase> {
                    any_value, "none|pressure|body-force|shear"},
         FieldEntry{"pseudo_shear_rate",
                    &T::pseudo_shear_rate,
-                   "mean velocity / width, for pressure and body-force",
-                   positive,
+                   "mean velocity / width, for pressure and body-force; this key or one of the "
+                   "next five, all of plasma alone; negative: flow to the left",
+                   shear_rates,
                    {},
                    "500 /s"},
+        FieldEntry{"mean_velocity",
+                   &T::mean_velocity,
+                   "over the width",
+                   Range{-100.0, 100.0},
+                   {},
+                   "10 mm/s"},
+        FieldEntry{"largest_velocity",
+                   &T::largest_velocity,
+                   "in the middle, 3/2 of the mean",
+                   Range{-100.0, 100.0},
+                   {},
+                   "15 mm/s"},
+        FieldEntry{"flow_rate",
+                   &T::flow_rate,
+                   "per depth: mean velocity * width",
+                   Range{-1.0, 1.0},
+                   {},
+                   "0.2 mm^2/s"},
+        FieldEntry{"wall_stress",
+                   &T::wall_stress,
+                   "shear stress on the walls, 6 mu U / H",
+                   Range{-1e6, 1e6},
+                   {},
+                   "3.6 Pa"},
         FieldEntry{"pressure_gradient",
                    &T::pressure_gradient,
-                   "pressure drop per length, instead of pseudo_shear_rate",
-                   positive,
+                   "pressure drop per length, 12 mu U / H^2",
+                   Range{-1e12, 1e12},
                    {},
                    "360 kPa/m"},
         FieldEntry{
@@ -57,14 +86,14 @@ struct FieldList<FlowCase> {
                    any_value, "developed|rest"},
         FieldEntry{"shear_rate",
                    &T::shear_rate,
-                   "k, for shear: the walls move with +- k * width / 2",
-                   positive,
+                   "k, for shear: the walls move with +- k * width / 2; negative: the other way",
+                   shear_rates,
                    {},
                    "75 /s"},
         FieldEntry{"shear_number",
                    &T::shear_number,
                    "G = mu k a / E_s (Eq. 19), instead of shear_rate",
-                   positive,
+                   Range{1e-6, 1e3},
                    {},
                    "0.2"},
     };
@@ -93,7 +122,7 @@ template <>
 struct FieldList<LayerCase> {
     using T = LayerCase;
     static constexpr auto entries = std::tuple{
-        FieldEntry{"thickness", &T::thickness, "from the bottom wall up", positive, {}, "5 um"},
+        FieldEntry{"thickness", &T::thickness, "from the bottom wall up", box_size, {}, "5 um"},
         FieldEntry{
             "viscosity", &T::viscosity, "its dynamic viscosity", fluid_viscosity, {}, "6 cP"},
     };
@@ -157,7 +186,7 @@ struct FieldList<CellsCase> {
         FieldEntry{"positions",
                    &T::positions,
                    "of layout explicit: the centre of each cell",
-                   any_value,
+                   Range{-0.1, 0.1},
                    {},
                    "[[\"20 um\", \"10 um\"], [\"60 um\", \"10 um\"]]"},
         FieldEntry{"angle",
@@ -176,7 +205,7 @@ struct FieldList<CellsCase> {
                    &T::perturbation,
                    "of layout paper: largest random shift in x and y, which breaks the symmetry of "
                    "the two rows",
-                   not_negative,
+                   Range{0.0, 1e-3},
                    {},
                    "0.5 um"},
         FieldEntry{"seed", &T::seed, "of the random numbers", Range{0.0, 9e15}, {}, "1"},
@@ -219,19 +248,19 @@ struct FieldList<MembraneCase> {
         FieldEntry{"shear_modulus",
                    &T::shear_modulus,
                    "E_s; gamma of the law surface-tension",
-                   positive,
+                   Range{1e-12, 1.0},
                    {},
                    "6e-3 dyn/cm"},
         FieldEntry{"area_dilation_ratio",
                    &T::area_dilation_ratio,
                    "C of the Skalak law",
-                   not_negative,
+                   Range{0.0, 1e6},
                    {},
                    "1"},
         FieldEntry{"bending_modulus",
                    &T::bending_modulus,
                    "E_b (Eq. 13)",
-                   not_negative,
+                   Range{0.0, 1e-12},
                    {},
                    "1.8e-12 dyn cm"},
         FieldEntry{"bending", &T::bending, "curvature per current or per reference length",
@@ -239,7 +268,7 @@ struct FieldList<MembraneCase> {
         FieldEntry{"area_stiffness",
                    &T::area_stiffness,
                    "k_p (Eq. 14): pressure per relative change of area; it only fights leakage",
-                   not_negative,
+                   Range{0.0, 1e9},
                    {},
                    "2 kPa"},
         FieldEntry{"hold_area", &T::hold_area,
@@ -265,17 +294,17 @@ struct FieldList<ContactCase> {
                    Range{1e-9, 1e-4},
                    {},
                    "0.49 um"},
-        FieldEntry{"decay", &T::decay, "beta of Eq. 16", positive, {}, "3.84 /um"},
+        FieldEntry{"decay", &T::decay, "beta of Eq. 16", Range{1e3, 1e10}, {}, "3.84 /um"},
         FieldEntry{"energy",
                    &T::energy,
                    "D_e: energy per area of the bond",
-                   not_negative,
+                   Range{0.0, 1.0},
                    {},
                    "1.3e-7 J/m^2"},
         FieldEntry{"range",
                    &T::range,
                    "beyond which no force is looked for; auto: 1 % of the largest attraction",
-                   positive,
+                   contact_range,
                    {},
                    "2.5 um"},
         FieldEntry{"short_range_repulsion", &T::short_range_repulsion,
@@ -283,13 +312,13 @@ struct FieldList<ContactCase> {
         FieldEntry{"repulsion_range",
                    &T::repulsion_range,
                    "of it; auto: one site",
-                   positive,
+                   contact_range,
                    {},
                    "0.2 um"},
         FieldEntry{"repulsion_strength",
                    &T::repulsion_strength,
                    "of it: the pressure at zero gap",
-                   not_negative,
+                   Range{0.0, 1e9},
                    {},
                    "1 kPa"},
     };
@@ -300,7 +329,7 @@ struct FieldList<NumericsCase> {
     using T = NumericsCase;
     static constexpr auto entries = std::tuple{
         FieldEntry{"dx", &T::dx, "site spacing", Range{1e-9, 1e-3}, {}, "0.2 um"},
-        FieldEntry{"dt", &T::dt, "time step", positive, {}, "1 us"},
+        FieldEntry{"dt", &T::dt, "time step", Range{1e-15, 1.0}, {}, "1 us"},
         FieldEntry{"relaxation_time",
                    &T::relaxation_time,
                    "tau of the plasma, in steps",
@@ -355,9 +384,14 @@ struct FieldList<NumericsCase> {
                    "sharp|smoothed|area-fraction"},
         FieldEntry{"viscosity_mean", &T::viscosity_mean,
                    "viscosity of a site that holds both fluids", any_value, "harmonic|arithmetic"},
-        FieldEntry{
-            "jump_correction", &T::jump_correction,
-            "take off the first-order slip and velocity error that smearing a membrane makes"},
+        FieldEntry{"jump_correction",
+                   &T::jump_correction,
+                   "take off the first-order slip and velocity error that smearing a membrane "
+                   "makes; auto: "
+                   "where the viscosities differ by at most twenty times",
+                   any_value,
+                   {},
+                   "true"},
         FieldEntry{"smoothing_width",
                    &T::smoothing_width,
                    "half width of that change, in sites",
@@ -376,7 +410,7 @@ struct FieldList<TimeCase> {
         FieldEntry{"average_from",
                    &T::average_from,
                    "start of the averages in summary.json; auto: half of the run",
-                   not_negative,
+                   Range{0.0, 1e6},
                    {},
                    "40 ms"},
     };
@@ -407,7 +441,7 @@ struct FieldList<OutputCase> {
         FieldEntry{"figure_times",
                    &T::figure_times,
                    "of the figures of cells; none given: start, quarter, half, end",
-                   not_negative,
+                   Range{0.0, 1e6},
                    {},
                    "[\"0 ms\", \"40 ms\", \"80 ms\"]"},
     };

@@ -87,11 +87,21 @@ public:
     void add_tension(const Membrane& membrane, double stretch) {
         const double slope = tension_slope(membrane, stretch);
         const double mean = 0.5 * (viscosity() + case_.cells.cytoplasm_viscosity.si);
-        const double number = tension_step_number(slope, mean, 1.0, dx_);
+        const double number = tension_step_number(slope, mean, half_step_ + 0.5, 1.0, dx_);
         add("membrane tension", auto_tension_step_number / number,
-            fmt::format("T' dt / (mu dx) <= {}: stability; T' at stretch {:.3g} is {:.3g} times "
+            fmt::format("{}T' dt / (mu dx) <= {}: stability; T' at stretch {:.3g} is {:.3g} times "
                         "that at rest",
-                        auto_tension_step_number, stretch, slope / tension_slope(membrane, 1.0)));
+                        half_step_ > 1.0 ? "(tau - 1/2) " : "", auto_tension_step_number, stretch,
+                        slope / tension_slope(membrane, 1.0)));
+    }
+
+    void add_bending(const Membrane& membrane, double stretch) {
+        const double modulus = bending_modulus(membrane, stretch);
+        const double lesser = std::min(viscosity(), case_.cells.cytoplasm_viscosity.si);
+        if (modulus == 0.0) return;
+        add("bending", auto_bending_step_number / bending_step_number(modulus, lesser, 1.0, dx_),
+            fmt::format("E_b dt / (mu dx^3) <= {}: stability; mu of the thinner fluid",
+                        auto_bending_step_number));
     }
 
     void add_physical() {
@@ -158,6 +168,7 @@ std::vector<StepLimit> step_limits(const Case& c, const Undisturbed& flow,
         limits.add_density_drop();
     if (moves) limits.add_mach();
     if (cells) limits.add_tension(membrane, stretch);
+    if (cells) limits.add_bending(membrane, stretch);
     if (limits.empty()) limits.add_physical();
     return std::move(limits).sorted();
 }

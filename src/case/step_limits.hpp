@@ -8,7 +8,7 @@
 
 namespace tt {
 
-/// The undisturbed flow of a case, SI.
+/// The undisturbed flow of a case, SI, whichever way it goes.
 struct Undisturbed {
     Rate shear_rate;         ///< nominal k, or pseudo-shear rate
     Rate wall_rate;          ///< largest shear rate: k, or 6 k of a parabola
@@ -31,8 +31,9 @@ inline constexpr double auto_relaxation_time = 1.5;
 /// A third of the limit of stability: cells make the flow faster here and there.
 inline constexpr double auto_mach = 0.1;
 
-/// Half of the limit of stability, in units of T' Δt/(μ Δx) and k_p α (τ − ½) Δt/μ.
+/// Half of the limit of stability, in units of T' Δt/(μ Δx), E_b Δt/(μ Δx³) and k_p α (τ − ½) Δt/μ.
 inline constexpr double auto_tension_step_number = 0.6;
+inline constexpr double auto_bending_step_number = 0.75;
 inline constexpr double auto_area_step_number = 20.0;
 
 /// Length of the cells that a case describes: radius of the circle of the stress-free area.

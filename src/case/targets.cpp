@@ -12,6 +12,7 @@
 #include "case/read.hpp"
 #include "case/reader.hpp"
 #include "case/resolve.hpp"
+#include "case/run_name.hpp"
 #include "io/file.hpp"
 #include "observe/summary.hpp"
 
@@ -132,6 +133,7 @@ private:
     std::size_t condition(const TargetTable& table, const Spot& spot, Targets& result);
     void tell_case_faults(const CaseError& error, const TargetTable& table, const Spot& spot);
     void check_condition(const Case& c, const Spot& spot);
+    std::string name_of_targets();
 
     Spot root_;
     std::string file_;
@@ -197,7 +199,7 @@ void TargetsReader::tell_case_faults(const CaseError& error, const TargetTable& 
         Fault told = fault;
         const auto take = [&](const Spot& set, const std::vector<std::string>& items) {
             for (std::size_t k = 0; k < items.size(); ++k) {
-                if (fault.file != "--set " + items[k]) continue;
+                if (fault.file != origin_of(items[k])) continue;
                 const Spot item = set.item(k);
                 told = {file_, item.line, item.column, fault.message};
             }
@@ -236,12 +238,18 @@ std::size_t TargetsReader::condition(const TargetTable& table, const Spot& spot,
     return result.conditions.empty() ? 0 : result.conditions.size() - 1;
 }
 
+std::string TargetsReader::name_of_targets() {
+    if (root_.node->find("name") == nullptr) return name_from(fs::path(file_).stem().string());
+    if (const auto fault = fault_of_name(text_.name)) tell(root_.under("name"), *fault);
+    return text_.name;
+}
+
 Targets TargetsReader::read() {
     Reader<TargetsText> reader(file_);
     reader.read_table(*root_.node, nullptr, "", text_);
     faults = std::move(reader.faults);
     Targets result;
-    result.name = text_.name.empty() ? fs::path(file_).stem().string() : text_.name;
+    result.name = name_of_targets();
     result.D = range("D", text_.search.D);
     result.beta = range("beta", text_.search.beta);
     result.seeds = text_.search.seeds;
@@ -277,16 +285,14 @@ void sort_and_thin(std::vector<Fault>& faults, const std::string& file) {
 }  // namespace
 
 Targets read_targets(const fs::path& path) {
-    std::error_code error;
-    if (fs::is_directory(path, error))
-        throw IoError(
-            fmt::format("{} is a directory; name the file of targets in it", path.string()));
-    const TomlText toml = parse_toml(read_file(path), path.string());
+    const std::string text = read_file(path, Author::user);
+    const TomlText toml = parse_toml(text, path.string());
     if (!toml.faults.empty()) throw CaseError(toml.faults);
     TargetsReader reader(toml.root, path);
     Targets result = reader.read();
     sort_and_thin(reader.faults, path.string());
     if (!reader.faults.empty()) throw CaseError(reader.faults);
+    result.text = text;
     return result;
 }
 

@@ -27,6 +27,7 @@ struct Target {
 
 /// What `calibrate` is asked for.
 struct Targets {
+    std::string text;  ///< of the file
     std::string name;
     std::vector<Condition> conditions;  ///< no two the same
     std::vector<Target> targets;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/units.hpp"
+#include "case/channel_flow.hpp"
 #include "membrane/in_plane/surface_tension.hpp"
 
 namespace tt {
@@ -63,25 +64,37 @@ private:
 };
 
 void judge_exclusive(Judge& judge) {
-    for (const Exclusive& pair : exclusive_keys)
-        if (judge.given(pair.one) && judge.given(pair.other))
-            judge.tell({pair.other}, fmt::format("{} and {} are both given; leave one of them out",
-                                                 Judge::key(pair.one), Judge::key(pair.other)));
+    for (const Exclusive& exclusive : exclusive_keys) {
+        std::string first;
+        for (const std::string_view key : exclusive.keys) {
+            const std::string path = fmt::format("{}.{}", exclusive.table, key);
+            if (!judge.given(path)) continue;
+            if (!first.empty())
+                judge.tell({path}, fmt::format("{} and {} are both given; leave one of them out",
+                                               first, key));
+            if (first.empty()) first = key;
+        }
+    }
 }
 
 void judge_channel(Judge& judge, const FlowCase& flow) {
     const std::string why = fmt::format("with drive = \"{}\"", flow.drive);
     judge.forbid("flow.shear_rate", why);
     judge.forbid("flow.shear_number", why);
-    if (!judge.given("flow.pseudo_shear_rate") && !judge.given("flow.pressure_gradient"))
-        judge.tell({"flow.drive"},
-                   fmt::format("drive = \"{}\" needs pseudo_shear_rate = \"500 /s\" or "
-                               "pressure_gradient = \"360 kPa/m\"",
-                               flow.drive));
-    if (flow.hold == "mean-velocity" && !judge.given("flow.pseudo_shear_rate"))
+    const auto given = [&](std::string_view key) {
+        return judge.given(fmt::format("flow.{}", key));
+    };
+    if (std::none_of(channel_flow_keys.begin(), channel_flow_keys.end(), given))
         judge.tell(
-            {"flow.hold"},
-            "hold = \"mean-velocity\" needs pseudo_shear_rate, the mean velocity / width to hold");
+            {"flow.drive"},
+            fmt::format("drive = \"{}\" needs pseudo_shear_rate = \"500 /s\", or one of {}",
+                        flow.drive,
+                        fmt::join(channel_flow_keys.begin() + 1, channel_flow_keys.end(), ", ")));
+    if (flow.hold == "mean-velocity" && !given("pseudo_shear_rate") && !given("mean_velocity") &&
+        !given("flow_rate"))
+        judge.tell({"flow.hold"},
+                   "hold = \"mean-velocity\" needs pseudo_shear_rate, mean_velocity or flow_rate: "
+                   "what to hold");
 }
 
 void judge_flow(Judge& judge, const Case& c) {
@@ -89,8 +102,8 @@ void judge_flow(Judge& judge, const Case& c) {
     if (flow.drive == "pressure" || flow.drive == "body-force") judge_channel(judge, flow);
     if (flow.drive == "shear" || flow.drive == "none") {
         const std::string why = fmt::format("with drive = \"{}\"", flow.drive);
-        judge.forbid("flow.pseudo_shear_rate", why);
-        judge.forbid("flow.pressure_gradient", why);
+        for (const std::string_view key : channel_flow_keys)
+            judge.forbid(fmt::format("flow.{}", key), why);
     }
     if (flow.drive == "none") {
         judge.forbid("flow.shear_rate", "with drive = \"none\"");
@@ -110,7 +123,8 @@ void judge_flow(Judge& judge, const Case& c) {
                    "shear_number is built on the cells, and there are none; write shear_rate");
 }
 
-void judge_layout(Judge& judge, const CellsCase& cells) {
+void judge_layout(Judge& judge, const Case& c) {
+    const CellsCase& cells = c.cells;
     const bool numbered = judge.given("cells.count") || judge.given("cells.hematocrit");
     if ((cells.layout == "paper" || cells.layout == "random") && !numbered)
         judge.tell(
@@ -126,8 +140,12 @@ void judge_layout(Judge& judge, const CellsCase& cells) {
                    fmt::format("layout = \"paper\" is two equal rows; write count = {}",
                                *cells.count + 1));
     if (cells.layout == "explicit" && cells.positions.empty())
-        judge.tell({"cells.layout"},
-                   "layout = \"explicit\" needs positions = [[\"20 um\", \"10 um\"], ...]");
+        judge.tell(
+            {"cells.layout"},
+            fmt::format("layout = \"explicit\" needs the centre of each cell; write positions "
+                        "= [[\"{}\", \"{}\"]]",
+                        to_text(Length{0.5 * c.domain.length.si}),
+                        to_text(Length{0.5 * c.domain.width.si})));
     if (cells.layout != "explicit" && !cells.positions.empty())
         judge.forbid("cells.positions", fmt::format("with layout = \"{}\"", cells.layout));
     for (const auto& position : cells.positions)
@@ -150,7 +168,7 @@ void judge_cells(Judge& judge, const Case& c) {
         return judge.tell({},
                           "there is no [cells]; write one, or fluid_only = true in [numerics] for "
                           "a plain channel");
-    judge_layout(judge, cells);
+    judge_layout(judge, c);
     const std::string why = fmt::format("with shape = \"{}\"", cells.shape);
     if (cells.shape != "ellipse") judge.forbid("cells.aspect_ratio", why);
     if (cells.shape != "file")
@@ -189,6 +207,18 @@ std::optional<double> cell_area(const CellsCase& cells) {
     return pi * square;
 }
 
+/// What to write where a cell of this size is wider than the box: a radius that fits, or where no
+/// cell is that small, a box.
+std::string fitting_size(const Case& c, double size) {
+    const double across = c.domain.width.si, along = c.domain.length.si;
+    const double radius = 0.8 * std::min(across, along) / size * c.cells.radius.si;
+    if (radius >= smallest_radius)
+        return fmt::format("write radius = \"{}\"", rounded_text(Length{radius}, 2));
+    const double spacing = c.numerics.dx ? c.numerics.dx->si : 0.1 * size;
+    return fmt::format("write {} = \"{}\"", across < along ? "width" : "length",
+                       rounded_text(Length{std::ceil(2.0 * size / spacing) * spacing}, 9));
+}
+
 void judge_fit(Judge& judge, const Case& c) {
     const CellsCase& cells = c.cells;
     const double size = 2.0 * half_extent(cells);
@@ -196,9 +226,9 @@ void judge_fit(Judge& judge, const Case& c) {
     const double along = c.domain.length.si;
     if (size >= std::min(across, along) && cells.shape != "file") {
         judge.tell({"cells.radius", "domain.width"},
-                   fmt::format("a cell is {} wide and the box {} by {}; it does not fit",
+                   fmt::format("a cell is {} wide and the box {} by {}; it does not fit; {}",
                                rounded_text(Length{size}), to_text(c.domain.length),
-                               to_text(c.domain.width)));
+                               to_text(c.domain.width), fitting_size(c, size)));
         return;
     }
     if (cells.layout == "paper" && 2.0 * size > across)
@@ -209,10 +239,12 @@ void judge_fit(Judge& judge, const Case& c) {
     if (!area || !cells.count) return;
     const double hematocrit = static_cast<double>(*cells.count) * *area / (across * along);
     if (hematocrit > 0.9)
-        judge.tell({"cells.count"},
-                   fmt::format("{} cells would fill {:.0f} % of the box; at most {} fit (90 %)",
-                               *cells.count, 100.0 * hematocrit,
-                               std::floor(0.9 * across * along / *area)));
+        judge.tell(
+            {"cells.count"},
+            fmt::format("{} cells would fill {:.0f} % of the box; at most {} fit (90 %); write "
+                        "count = {}",
+                        *cells.count, 100.0 * hematocrit, std::floor(0.9 * across * along / *area),
+                        std::max(1.0, 2.0 * std::floor(0.3 * across * along / *area))));
     const double rows = std::ceil(static_cast<double>(*cells.count) / 2.0);
     if (cells.layout == "paper" && hematocrit <= 0.9 && rows * size > along)
         judge.tell({"cells.count"},
@@ -267,12 +299,12 @@ void judge_positions(Judge& judge, const Case& c) {
 }
 
 void judge_membrane(Judge& judge, const MembraneCase& membrane) {
-    const std::vector<std::string>& hardened = membrane.hardening.apply_to;
-    if (membrane.law == SurfaceTension::name &&
-        std::find(hardened.begin(), hardened.end(), "shear") != hardened.end())
+    std::vector<std::string> hardened = membrane.hardening.apply_to;
+    if (membrane.law == SurfaceTension::name && std::erase(hardened, "shear") > 0)
         judge.tell({"membrane.law"},
-                   "a drop of constant surface tension does not harden: take \"shear\" out of "
-                   "apply_to in [membrane.hardening]");
+                   fmt::format("a drop of constant surface tension does not harden: in "
+                               "[membrane.hardening] write apply_to = [\"{}\"]",
+                               fmt::join(hardened, "\", \"")));
 }
 
 void judge_contact(Judge& judge, const ContactCase& contact) {
@@ -288,19 +320,38 @@ void judge_contact(Judge& judge, const ContactCase& contact) {
                 to_text(lysis_tension)));
     if (contact.range && *contact.range <= contact.zero_force_distance)
         judge.tell({"contact.range"},
-                   fmt::format("range = {} must exceed zero_force_distance, {}",
+                   fmt::format("range = {} must exceed zero_force_distance, {}; leave it out",
                                to_text(*contact.range), to_text(contact.zero_force_distance)));
+}
+
+/// Every flow is asked for by a number of its own; here all are held against one range.
+void judge_rate(Judge& judge, const Case& c) {
+    constexpr double slowest = 1e-6, fastest = 1e6;
+    const bool shear = c.flow.drive == "shear";
+    if (c.flow.drive == "none" || (shear && !c.flow.shear_rate)) return;
+    const double rate = std::abs((shear ? *c.flow.shear_rate : pseudo_shear_rate(c)).si);
+    if (rate >= slowest && rate <= fastest) return;
+    judge.tell(
+        {"flow.pseudo_shear_rate", "flow.mean_velocity", "flow.largest_velocity", "flow.flow_rate",
+         "flow.wall_stress", "flow.pressure_gradient", "flow.shear_rate"},
+        fmt::format("the flow has a {} rate of {} /s, and {} to {} /s are possible; write {} = "
+                    "\"{} /s\"",
+                    shear ? "shear" : "pseudo-shear", to_text(rate), to_text(slowest),
+                    to_text(fastest), shear ? "shear_rate" : "pseudo_shear_rate",
+                    to_text(rate < slowest ? slowest : fastest)));
 }
 
 bool is_whole(double count) { return std::abs(count - std::round(count)) < 1e-6 * count; }
 
 /// The spacing nearest to `dx` that divides width and length; one of two digits if there is one
-/// near.
+/// near. Nothing where none is near.
 std::optional<double> dividing_spacing(double width, double length, double dx) {
+    constexpr int far = 10'000;  // sites; with so many, one that divides is near if there is one
     std::optional<double> best;
     double best_distance = 1e300;
-    const int middle = static_cast<int>(width / dx);
-    for (int n = std::max(6, middle * 3 / 4); n <= middle * 4 / 3 + 1; ++n) {
+    const int middle = static_cast<int>(std::min(width / dx, 1e9));
+    const int last = std::min(middle * 4 / 3 + 1, middle + far);
+    for (int n = std::max({6, middle * 3 / 4, middle - far}); n <= last; ++n) {
         const double spacing = width / n;
         if (!is_whole(length / spacing)) continue;
         const bool short_number =
@@ -313,41 +364,52 @@ std::optional<double> dividing_spacing(double width, double length, double dx) {
     return best;
 }
 
+/// What to write for a spacing near `dx`.
+std::string fitting_spacing(const Case& c, double dx) {
+    const auto spacing = dividing_spacing(c.domain.width.si, c.domain.length.si, dx);
+    return spacing ? fmt::format("write dx = \"{}\"", rounded_text(Length{*spacing}, 9))
+                   : "change the length of the box";
+}
+
 void judge_grid(Judge& judge, const Case& c) {
     if (!c.numerics.dx) return;
     const double dx = c.numerics.dx->si;
-    const double width = c.domain.width.si;
+    const double width = c.domain.width.si, length = c.domain.length.si;
+    const bool cells = !c.numerics.fluid_only;
+    const double wanted = cells ? std::min(width / 12.0, c.cells.radius.si / 8.0) : width / 12.0;
     if (width / dx < 6.0)
         return judge.tell(
             {"numerics.dx"},
-            fmt::format("dx = {} leaves {:.1f} sites across the width, {}; at least 6 are needed",
-                        to_text(*c.numerics.dx), width / dx, to_text(c.domain.width)));
-    if (c.domain.length.si / dx * (width / dx) > 1e9)
+            fmt::format(
+                "dx = {} leaves {:.1f} sites across the width, {}; at least 6 are needed; {}",
+                to_text(*c.numerics.dx), width / dx, to_text(c.domain.width),
+                fitting_spacing(c, wanted)));
+    if (length / dx * (width / dx) > 1e9)
         return judge.tell(
             {"numerics.dx"},
-            fmt::format("dx = {} makes {:.3g} sites; at most 1e9 are possible",
-                        to_text(*c.numerics.dx), c.domain.length.si / dx * (width / dx)));
-    if (!c.numerics.fluid_only && c.cells.radius.si / dx < 4.0)
-        judge.tell({"numerics.dx"},
-                   fmt::format(
-                       "dx = {} leaves {:.1f} sites to the radius of a cell; at least 4 are needed",
-                       to_text(*c.numerics.dx), c.cells.radius.si / dx));
-    const double length = c.domain.length.si;
+            fmt::format("dx = {} makes {:.3g} sites; at most 1e9 are possible; {}",
+                        to_text(*c.numerics.dx), length / dx * (width / dx),
+                        fitting_spacing(c, std::max(wanted, std::sqrt(width * length / 1e6)))));
+    if (cells && c.cells.radius.si / dx < 4.0)
+        return judge.tell(
+            {"numerics.dx"},
+            fmt::format("dx = {} leaves {:.1f} sites to the radius of a cell; at least 4 are "
+                        "needed; {}",
+                        to_text(*c.numerics.dx), c.cells.radius.si / dx,
+                        fitting_spacing(c, wanted)));
     if (is_whole(width / dx) && is_whole(length / dx)) return;
-    const auto spacing = dividing_spacing(width, length, dx);
     judge.tell(
         {"numerics.dx"},
         fmt::format("dx = {} does not divide width = {} and length = {} into whole sites; {}",
                     to_text(*c.numerics.dx), to_text(c.domain.width), to_text(c.domain.length),
-                    spacing ? fmt::format("write dx = \"{}\"", rounded_text(Length{*spacing}, 9))
-                            : "change the length of the box"));
+                    fitting_spacing(c, dx)));
 }
 
 void judge_times(Judge& judge, const Case& c) {
     const Time end = c.time.end;
     const auto check = [&](const std::optional<Time>& t, std::string_view path) {
         if (t && *t > end)
-            judge.tell({path}, fmt::format("{} = {} is beyond the end of the run, {}",
+            judge.tell({path}, fmt::format("{} = {} is beyond the end of the run, {}; leave it out",
                                            Judge::key(path), to_text(*t), to_text(end)));
     };
     check(c.time.average_from, "time.average_from");
@@ -377,11 +439,14 @@ std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
         judge_positions(judge, c);
     }
     if (c.layer.thickness && *c.layer.thickness >= c.domain.width)
-        judge.tell({"layer.thickness"},
-                   fmt::format("the layer is {} thick and the box {} wide",
-                               to_text(*c.layer.thickness), to_text(c.domain.width)));
+        judge.tell(
+            {"layer.thickness"},
+            fmt::format("the layer is {} thick and the box {} wide; write thickness = \"{}\"",
+                        to_text(*c.layer.thickness), to_text(c.domain.width),
+                        rounded_text(Length{0.5 * c.domain.width.si})));
     judge_membrane(judge, c.membrane);
     judge_contact(judge, c.contact);
+    judge_rate(judge, c);
     if (cells_have_size) judge_grid(judge, c);
     judge_times(judge, c);
     return std::move(judge.faults);

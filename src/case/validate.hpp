@@ -3,12 +3,14 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/error.hpp"
 #include "case/case.hpp"
+#include "case/channel_flow.hpp"
 
 namespace tt {
 
@@ -16,15 +18,18 @@ namespace tt {
 /// empty message. Keys set to "auto" are not among them.
 using Places = std::map<std::string, Fault, std::less<>>;
 
-/// Keys of which at most one may be given; an override of one takes the place of another.
+/// Keys of one table of which at most one may be given; an override of one takes the place of the
+/// others.
 struct Exclusive {
-    std::string_view one;
-    std::string_view other;
+    std::string_view table;
+    std::span<const std::string_view> keys;
 };
+inline constexpr std::array<std::string_view, 2> shear_keys{"shear_rate", "shear_number"};
+inline constexpr std::array<std::string_view, 2> number_keys{"count", "hematocrit"};
 inline constexpr std::array exclusive_keys{
-    Exclusive{"flow.pseudo_shear_rate", "flow.pressure_gradient"},
-    Exclusive{"flow.shear_rate", "flow.shear_number"},
-    Exclusive{"cells.count", "cells.hematocrit"},
+    Exclusive{"flow", channel_flow_keys},
+    Exclusive{"flow", shear_keys},
+    Exclusive{"cells", number_keys},
 };
 
 /// Keys that contradict each other, lack each other, or mean nothing together. Looks only at which

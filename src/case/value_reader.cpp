@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/letter.hpp"
 #include "base/words.hpp"
 #include "case/field_types.hpp"
 
@@ -65,7 +66,7 @@ bool meant_percent(const TomlNode& node, const FieldText& field, double number) 
 std::string ValueReader::shown(const TomlNode& node) {
     switch (node.kind) {
         case Kind::string:
-            return toml_string(node.text);
+            return fmt::format("\"{}\"", readable(node.text));
         case Kind::integer:
             return fmt::format("{}", node.integer);
         case Kind::real:
@@ -141,8 +142,7 @@ void ValueReader::read_value(const TomlEntry& entry, const TomlNode& node, const
     if (words.empty() || std::find(words.begin(), words.end(), node.text) != words.end()) return;
     const auto near = closest(node.text, words);
     tell(entry, node,
-         fmt::format("{} = {} is not one of {}{}", field.key, toml_string(node.text),
-                     fmt::join(words, ", "),
+         fmt::format("{} = {} is not one of {}{}", field.key, shown(node), fmt::join(words, ", "),
                      near ? fmt::format("; did you mean \"{}\"?", *near) : ""));
 }
 

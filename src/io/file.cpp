@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -35,6 +36,72 @@ void sync_directory(const fs::path& file) {
     }
     ::close(descriptor);
 }
+
+/// The most bytes that are read into memory.
+std::uint64_t size_limit(Author author) {
+    if (author == Author::user) return std::uint64_t{16} << 20;
+    return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+           static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+/// A file being read. It is opened without waiting: a pipe without a writer, or a file of the
+/// system that has nothing to say yet, must not hold up the program for ever.
+class Input {
+public:
+    explicit Input(const fs::path& path)
+        : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+        if (descriptor_ < 0) throw_io("open", path_, errno);
+    }
+    Input(const Input&) = delete;
+    Input& operator=(const Input&) = delete;
+    ~Input() { ::close(descriptor_); }
+
+    std::string read(Author author) {
+        const std::uint64_t limit = size_limit(author);
+        std::string text;
+        text.reserve(expected_size(author, limit));
+        char block[1 << 16];
+        while (const std::size_t count = next(block, sizeof block)) {
+            text.append(block, count);
+            expect_within(text.size(), limit);
+        }
+        return text;
+    }
+
+private:
+    /// Of a file that may be read at all.
+    std::size_t expected_size(Author author, std::uint64_t limit) const {
+        struct stat status {};
+        if (::fstat(descriptor_, &status) != 0) throw_io("read", path_, errno);
+        if (S_ISDIR(status.st_mode)) throw_io("read", path_, EISDIR);
+        const bool pipe = S_ISFIFO(status.st_mode) && author == Author::user;
+        if (!S_ISREG(status.st_mode) && !pipe) refuse("it is a device or a pipe, not a file");
+        expect_within(static_cast<std::uint64_t>(status.st_size), limit);
+        return static_cast<std::size_t>(status.st_size);
+    }
+
+    std::size_t next(char* block, std::size_t size) {
+        for (;;) {
+            constexpr int patience = 10'000;  // ms
+            pollfd wait{descriptor_, POLLIN, 0};
+            if (::poll(&wait, 1, patience) == 0) refuse("nothing came out of it for 10 s");
+            const ssize_t count = ::read(descriptor_, block, size);
+            if (count >= 0) return static_cast<std::size_t>(count);
+            if (errno != EINTR && errno != EAGAIN) throw_io("read", path_, errno);
+        }
+    }
+
+    void expect_within(std::uint64_t bytes, std::uint64_t limit) const {
+        if (bytes > limit) refuse(fmt::format("it has more than {} MB", limit / 1'000'000));
+    }
+
+    [[noreturn]] void refuse(const std::string& why) const {
+        throw IoError(fmt::format("cannot read '{}': {}", path_.string(), why));
+    }
+
+    const fs::path& path_;
+    int descriptor_;
+};
 
 }  // namespace
 
@@ -118,27 +185,7 @@ void replace_file(const fs::path& path, std::string_view bytes, Durability durab
     move_into_place(temporary, path, durability);
 }
 
-std::string read_file(const fs::path& path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) throw_io("open", path, errno);
-    std::string text;
-    struct stat status {};
-    if (::fstat(descriptor, &status) == 0 && status.st_size > 0) {
-        text.reserve(static_cast<std::size_t>(status.st_size));
-    }
-    char block[1 << 16];
-    for (;;) {
-        const ssize_t count = ::read(descriptor, block, sizeof block);
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) {
-            const int code = errno;
-            ::close(descriptor);
-            if (count < 0) throw_io("read", path, code);
-            return text;
-        }
-        text.append(block, static_cast<std::size_t>(count));
-    }
-}
+std::string read_file(const fs::path& path, Author author) { return Input(path).read(author); }
 
 void make_directory(const fs::path& path) {
     std::error_code code;

@@ -50,8 +50,15 @@ void replace_file(const std::filesystem::path& path, std::string_view bytes, Dur
 void move_into_place(const std::filesystem::path& from, const std::filesystem::path& to,
                      Durability durability);
 
-/// The whole file. IoError if it cannot be read.
-std::string read_file(const std::filesystem::path& path);
+/// Who wrote a file, and hence what it may be.
+enum class Author : std::uint8_t {
+    user,    ///< a text: at most 16 MiB, from a file or a pipe that does not keep us waiting
+    program  ///< our own results: a file that fits into the memory of this machine
+};
+
+/// The whole file, and never more than its author may have written. IoError if it cannot be read,
+/// is a directory or a device, is larger, or is a pipe into which nobody writes for ten seconds.
+std::string read_file(const std::filesystem::path& path, Author author = Author::program);
 
 /// Creates the directory and its parents. IoError if that fails.
 void make_directory(const std::filesystem::path& path);

@@ -15,7 +15,13 @@ void write_json(const std::filesystem::path& path, const Json& value, Durability
 
 Json read_json(const std::filesystem::path& path) {
     const std::string text = read_file(path);
-    Json value = Json::parse(text, nullptr, false);
+    // Writing one follows its nesting by recursion.
+    const auto shallow = [&](int depth, Json::parse_event_t, Json&) {
+        constexpr int deepest = 64;
+        if (depth > deepest) throw IoError(fmt::format("'{}' is nested too deeply", path.string()));
+        return true;
+    };
+    Json value = Json::parse(text, shallow, false);
     if (value.is_discarded()) throw IoError(fmt::format("'{}' is not valid JSON", path.string()));
     return value;
 }

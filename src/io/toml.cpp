@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/letter.hpp"
 #include "io/toml_scan.hpp"
 
 namespace tt {
@@ -204,13 +205,17 @@ TomlNode parse_toml_value(const std::string& text) {
 
 std::string toml_string(std::string_view text) {
     std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-            result +=
-                fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    while (!text.empty()) {
+        const Letter letter = first_letter(text);
+        if (letter.code == '"' || letter.code == '\\') result += '\\';
+        const bool control = letter.code < 0x20 && (letter.code != 0 || text.front() == '\0');
+        if (letter.code > 0xffff)
+            result += fmt::format("\\U{:08x}", letter.code);
+        else if (letter.code > 0x7e || control)
+            result += fmt::format("\\u{:04x}", letter.code);
         else
-            result += c;
+            result += text.substr(0, letter.bytes);
+        text.remove_prefix(letter.bytes);
     }
     return result + "\"";
 }

@@ -54,7 +54,7 @@ TomlText parse_toml(std::string_view text, const std::string& name);
 /// options of the command line.
 TomlNode parse_toml_value(const std::string& text);
 
-/// `text` as a TOML string with its quotes and escapes.
+/// `text` as a TOML string with its quotes and escapes, in ASCII.
 std::string toml_string(std::string_view text);
 
 }  // namespace tt

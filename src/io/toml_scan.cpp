@@ -5,32 +5,12 @@
 #include <array>
 #include <cstdint>
 
+#include "base/letter.hpp"
+
 namespace tt {
 namespace {
 
 constexpr std::size_t size_limit = std::size_t{1} << 20;
-
-struct Letter {
-    std::uint32_t code = 0;  ///< 0: not UTF-8
-    std::size_t bytes = 1;
-};
-
-/// The letter at the start of `text`; overlong forms, surrogates and stray bytes have code 0.
-Letter decode(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char lead = byte(0);
-    if (lead < 0x80) return {lead, 1};
-    const std::size_t bytes = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-    if (lead < 0xc2 || lead > 0xf4 || text.size() < bytes) return {};
-    std::uint32_t code = lead & (0x7fu >> bytes);
-    for (std::size_t i = 1; i < bytes; ++i) {
-        if ((byte(i) & 0xc0) != 0x80) return {};
-        code = code << 6 | (byte(i) & 0x3fu);
-    }
-    constexpr std::array<std::uint32_t, 5> smallest{0, 0, 0x80, 0x800, 0x10000};
-    if (code < smallest[bytes] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return {};
-    return {code, bytes};
-}
 
 struct Advice {
     std::uint32_t code;
@@ -84,6 +64,8 @@ public:
         return length_;
     }
     bool in_comment() const { return in_comment_; }
+    /// In neither a string nor a comment.
+    bool in_syntax() const { return quote_ == 0 && !in_comment_; }
 
 private:
     std::size_t begin(std::string_view rest) {
@@ -98,6 +80,28 @@ private:
     bool in_comment_ = false;
     char quote_ = 0;
     std::size_t length_ = 1;
+};
+
+/// How deep a text nests. The parser follows nesting by recursion, and keys without any bound.
+class Nesting {
+public:
+    /// Goes past a letter outside of strings and comments; whether that is still of use.
+    bool pass(char c) {
+        if (c == '.')
+            ++dots_;
+        else if (c == '=' || c == ',' || c == '\n' || c == '[' || c == '{')
+            dots_ = 0;
+        if (c == '[' || c == '{')
+            ++brackets_;
+        else if ((c == ']' || c == '}') && brackets_ > 0)
+            --brackets_;
+        return dots_ <= deepest && brackets_ <= deepest;
+    }
+    static constexpr int deepest = 16;
+
+private:
+    int dots_ = 0;  ///< of the key at hand
+    int brackets_ = 0;
 };
 
 }  // namespace
@@ -116,15 +120,22 @@ AsciiText to_ascii(std::string_view text, const std::string& name) {
     }
     if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
     Context context;
+    Nesting nesting;
     int line = 1;
     int column = 1;
     int told_line = 0;  // one fault a line is enough
     while (!text.empty()) {
-        const Letter letter = decode(text);
+        const Letter letter = first_letter(text);
         const bool plain = (letter.code >= 0x20 && letter.code < 0x7f) || letter.code == '\n' ||
                            letter.code == '\t' ||
                            (letter.code == '\r' && text.substr(0, 2) == "\r\n");
         if (plain) {
+            if (context.in_syntax() && !nesting.pass(text.front())) {
+                result.faults.push_back(
+                    {name, line, column,
+                     fmt::format("keys or brackets nest deeper than {} levels", Nesting::deepest)});
+                return result;
+            }
             const std::size_t count = context.pass(text);
             result.text += text.substr(0, count);
             column = letter.code == '\n' ? 1 : column + static_cast<int>(count);

@@ -16,7 +16,7 @@ struct AsciiText {
 
 /// Maps µ and μ to u, every other letter beyond ASCII in a comment to '?', and makes a fault of it
 /// elsewhere: one letter stays one column. Drops a UTF-8 byte order mark. Texts beyond 1 MiB,
-/// UTF-16 and control characters are faults.
+/// UTF-16, control characters and nesting deeper than any case needs are faults.
 AsciiText to_ascii(std::string_view text, const std::string& name);
 
 }  // namespace tt

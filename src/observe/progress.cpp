@@ -14,6 +14,9 @@
 namespace tt {
 namespace {
 
+/// A path may hold bytes that are not UTF-8.
+constexpr auto replace_bad_letters = Json::error_handler_t::replace;
+
 /// Three digits: 0.12, 123, 12.3k, 1.23M.
 std::string compact(double number) {
     if (number >= 1e6) return fmt::format("{:.3g}M", number * 1e-6);
@@ -95,7 +98,10 @@ void Progress::show(const std::string& line, const std::string& json) {
 void Progress::say(const std::string& message) {
     if (line_open_) std::fputs("\r\x1b[K", stderr);
     line_open_ = false;
-    if (mode_ != ProgressMode::none) tell_user("{}\n", message);
+    if (mode_ == ProgressMode::json)
+        tell_user("{}\n", Json{{"message", message}}.dump(-1, ' ', false, replace_bad_letters));
+    else if (mode_ != ProgressMode::none)
+        tell_user("{}\n", message);
 }
 
 }  // namespace tt

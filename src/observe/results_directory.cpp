@@ -72,7 +72,6 @@ ResultsDirectory::ResultsDirectory(const fs::path& path, const std::string& case
     if (!fs::exists(marker(path_))) return;
     if (start == Start::fresh) {
         move_aside();
-        make_directory(path_);
         lock_.acquire(path_);
         return;
     }
@@ -87,7 +86,8 @@ ResultsDirectory::ResultsDirectory(const fs::path& path, const std::string& case
 
 void ResultsDirectory::move_aside() {
     fs::path base = path_;
-    if (!base.has_filename()) base = base.parent_path();  // "results/name/"
+    if (!base.has_filename()) base = base.parent_path();   // "results/name/"
+    if (fs::is_symlink(base)) base = fs::canonical(base);  // its disk was chosen; the link stays
     int number = 1;
     do {
         moved_to_ = base;
@@ -95,6 +95,7 @@ void ResultsDirectory::move_aside() {
     } while (fs::exists(moved_to_));
     move_into_place(base, moved_to_, Durability::power);
     lock_.release();
+    make_directory(base);
 }
 
 bool is_running(const fs::path& results) {

@@ -136,7 +136,7 @@ Json of_cells(const Table& cells, const std::string& name, const SummaryInput& i
 Json tank_treading(const Table& cells, const SummaryInput& input) {
     Sample periods;
     for (const Sample& cell : gather(cells, "phase_rate", input).cells) {
-        periods.add(input.shear_rate.si * 2.0 * std::numbers::pi / std::abs(cell.mean()));
+        periods.add(std::abs(input.shear_rate.si) * 2.0 * std::numbers::pi / std::abs(cell.mean()));
     }
     return quantity(periods, Sample{}, &periods, input, "");
 }

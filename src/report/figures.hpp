@@ -12,7 +12,7 @@ namespace tt {
 
 /// Draws every figure that the results allow into `out` and returns what was drawn. One run: cells
 /// and flow at chosen times, and each cell thin behind the mean. Several: their means overlaid, a
-/// colour each.
+/// colour each. Precondition: can_draw().
 std::vector<Figure> draw_figures(std::span<const Results> runs, const std::filesystem::path& out);
 
 /// Every figure of one run, and its words for the page's note of those that were not drawn.

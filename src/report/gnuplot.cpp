@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "io/file.hpp"
+#include "io/program.hpp"
 #include "report/assets.hpp"
 
 namespace tt {
@@ -39,22 +39,11 @@ bool has_points(const Curve& curve) {
 
 /// Runs gnuplot inside `out`; its messages go to name.log, which stays only if it fails.
 void execute(const fs::path& out, const std::string& name) {
-    std::string folder = out.string();
-    for (std::size_t k = 0; (k = folder.find('\'', k)) != std::string::npos; k += 4)
-        folder.replace(k, 1, "'\\''");
-    const std::string line = fmt::format("cd '{0}' && gnuplot {1}.gp > {1}.log 2>&1", folder, name);
-    const int status = std::system(line.c_str());
-    const fs::path log = out / (name + ".log");
-    if (status == 0) {
-        fs::remove(log);
-        return;
-    }
-    if (std::system("command -v gnuplot > /dev/null 2>&1") != 0)
-        throw IoError(
-            "figures need gnuplot, which is not installed; on Debian or Ubuntu: sudo apt install "
-            "gnuplot-nox");
-    throw IoError(fmt::format("gnuplot could not draw {}: {}", (out / (name + ".gp")).string(),
-                              read_file(log)));
+    const std::string log = name + ".log";
+    if (run_program({"gnuplot", name + ".gp"}, out, log) != 0)
+        throw IoError(fmt::format("gnuplot could not draw {}: {}", (out / (name + ".gp")).string(),
+                                  read_file(out / log)));
+    fs::remove(out / log);
 }
 
 std::string data_text(const LineFigure& figure) {
@@ -73,6 +62,8 @@ std::string data_text(const LineFigure& figure) {
 }
 
 }  // namespace
+
+bool can_draw() { return has_program("gnuplot"); }
 
 bool has_points(const LineFigure& figure) {
     return std::any_of(figure.curves.begin(), figure.curves.end(),

@@ -29,6 +29,12 @@ struct LineFigure {
     std::vector<Curve> curves;
 };
 
+/// Whether figures can be drawn here; else `no_gnuplot` says why, and what to do.
+bool can_draw();
+inline constexpr std::string_view no_gnuplot =
+    "Figures need gnuplot, which is not installed; on Debian or Ubuntu: sudo apt install "
+    "gnuplot-nox";
+
 /// Whether any curve has a row of numbers only. gnuplot refuses a figure without.
 bool has_points(const LineFigure& figure);
 

@@ -56,7 +56,9 @@ std::string left_out_note(const std::vector<Figure>& figures) {
 std::string figures_section(const std::vector<Figure>& figures, const fs::path& folder,
                             const std::string& note) {
     std::string text = "<h2>Figures</h2>\n";
-    if (figures.empty()) return text + "<p>Nothing to draw yet.</p>\n";
+    if (figures.empty())
+        return text +
+               fmt::format("<p>{}</p>\n", can_draw() ? "Nothing to draw yet." : html(no_gnuplot));
     text +=
         "<p class=\"soft\">Each lies in figures/ as PNG and SVG, with its data and the gnuplot "
         "script that draws it.</p>\n<div class=\"figures\">\n";

@@ -16,7 +16,11 @@ std::filesystem::path write_report(std::span<const std::filesystem::path> direct
     std::filesystem::path place = out;
     if (place.empty())
         place = directories.size() == 1 ? directories.front() : std::filesystem::path("comparison");
-    const std::vector<Figure> figures = draw_figures(runs, place / "figures");
+    std::vector<Figure> figures;
+    if (can_draw())
+        figures = draw_figures(runs, place / "figures");
+    else
+        make_directory(place);
     const std::filesystem::path page = place / "report.html";
     replace_file(page, report_page(runs, figures, place / "figures", PageLimits{}),
                  Durability::process);

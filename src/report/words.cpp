@@ -37,6 +37,15 @@ std::string flow_words(const Results& run) {
     std::string text = how + " drives the flow along the channel";
     if (!pseudo.empty())
         text += ", at a nominal pseudo-shear rate (mean velocity / width) of " + pseudo;
+    constexpr std::pair<const char*, const char*> others[] = {
+        {"flow.mean_velocity", "mean velocity"},
+        {"flow.largest_velocity", "largest velocity"},
+        {"flow.flow_rate", "flow rate per depth"},
+        {"flow.wall_stress", "wall shear stress"},
+        {"flow.pressure_gradient", "pressure gradient"}};
+    for (const auto& [key, name] : others)
+        if (const std::string value = run.setting(key); !value.empty())
+            text += fmt::format(", at a nominal {} of {}", name, value);
     if (run.setting("flow.hold") == "mean-velocity") text += ", with the mean velocity held";
     if (run.setting("flow.hold") == "pressure-drop") text += ", with the pressure drop held";
     return text + ".";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace tt {
 
@@ -29,9 +30,14 @@ public:
     double interval_in_steps() const { return steps_; }
 
 private:
-    std::int64_t nth(std::int64_t n) const { return std::llround(static_cast<double>(n) * steps_); }
+    /// Beyond what a step number can be: never.
+    std::int64_t nth(std::int64_t n) const { return whole(static_cast<double>(n) * steps_); }
     std::int64_t nearest(std::int64_t step) const {
-        return std::llround(static_cast<double>(step) / steps_);
+        return whole(static_cast<double>(step) / steps_);
+    }
+    static std::int64_t whole(double number) {
+        constexpr double largest = 9.2e18;  // just below 2^63
+        return number < largest ? std::llround(number) : std::numeric_limits<std::int64_t>::max();
     }
 
     double steps_ = 1.0;

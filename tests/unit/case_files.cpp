@@ -43,6 +43,29 @@ std::string with(std::string text, const std::string& from, const std::string& t
     return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
+TEST(CaseFile, nesting_is_followed_only_as_deep_as_a_case_may_need) {
+    const auto keys = [](int levels) {
+        std::string key = "k";
+        for (int k = 1; k < levels; ++k) key += ".k";
+        return key;
+    };
+    const auto lists = [](int levels) {
+        return "x = " + std::string(levels, '[') + std::string(levels, ']');
+    };
+    const std::string deep = "nest deeper than 16 levels";
+    for (const std::string& text :
+         {keys(18) + " = 1", "[" + keys(18) + "]", "[[" + keys(18) + "]]",
+          "x = {" + keys(18) + "=1}", lists(17), "x = " + std::string(17, '{')})
+        EXPECT_NE(faults_of(text).find(deep), std::string::npos) << text;
+    EXPECT_EQ(faults_of(keys(17) + " = 1").find(deep), std::string::npos);
+    EXPECT_EQ(faults_of(lists(16)).find(deep), std::string::npos);
+    EXPECT_EQ(faults_of("x = \"" + keys(99) + "\" # " + keys(99)).find(deep), std::string::npos);
+    EXPECT_EQ(faults_of("x = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.3, "
+                        "1.4, 1.5, 1.6, 1.7, 1.8]")
+                  .find(deep),
+              std::string::npos);
+}
+
 TEST(CaseFile, each_case_that_comes_with_the_program_can_be_read) {
     int count = 0;
     for (const auto& entry : fs::directory_iterator(source / "cases")) {

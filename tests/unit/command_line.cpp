@@ -121,7 +121,14 @@ TEST(CommandLine, keys_are_found_by_table_and_by_part_of_their_name) {
     const std::string flow = run({"keys", "flow"}).out;
     EXPECT_NE(flow.find("pseudo_shear_rate = \"500 /s\""), std::string::npos);
     EXPECT_EQ(flow.find("[cells]"), std::string::npos);
+    EXPECT_NE(flow.find("domain.length"), std::string::npos);
     EXPECT_NE(run({"keys", "radius"}).out.find("[cells]"), std::string::npos);
+    const std::string width = run({"keys", "domain.width"}).out;
+    EXPECT_NE(width.find("width = \"20 um\""), std::string::npos);
+    EXPECT_EQ(width.find("length ="), std::string::npos);
+    EXPECT_NE(run({"keys", "Brownian motion"}).err.find("no key has"), std::string::npos);
+    EXPECT_NE(run({"keys", "stress on the walls"}).out.find("wall_stress"), std::string::npos);
+    EXPECT_NE(run({"keys", "SKALAK"}).out.find("law ="), std::string::npos);
 }
 
 class NewCase : public tt::TemporaryDirectory {};

@@ -26,6 +26,17 @@ TEST(Schedule, the_next_due_step_does_not_depend_on_where_one_asks) {
     }
 }
 
+TEST(Schedule, an_interval_that_no_run_reaches_is_never_due_again) {
+    for (const double interval : {1e9, 1e13, 1e19, 1e300}) {
+        const Schedule schedule(interval, 1e-7);
+        EXPECT_TRUE(schedule.due(0));
+        EXPECT_FALSE(schedule.due(1));
+        EXPECT_GT(schedule.next_after(0), 1'000'000'000'000) << interval;
+        EXPECT_GT(schedule.next_after(1'000'000), 1'000'000'000'000) << interval;
+    }
+    EXPECT_EQ(Schedule(1e-300, 1e-7).next_after(41), 42);
+}
+
 TEST(Schedule, an_end_that_is_a_whole_number_of_steps_is_met_exactly) {
     EXPECT_EQ(steps_until(0.08, 1e-6), 80000);
     EXPECT_EQ(steps_until(0.1, 0.1 / 3), 3);

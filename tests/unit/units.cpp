@@ -35,12 +35,25 @@ TEST(Units, same_length_same_bits) {
     EXPECT_EQ(si("5 min"), 300.0);
     EXPECT_EQ(si("0.1 h"), 360.0);
     EXPECT_EQ(si("1 mmHg"), 133.322387415);
+    EXPECT_EQ(si("10 mmH2O"), 98.0665);
+    EXPECT_EQ(si("1 cmH2O"), si("10 mmH2O"));
+    EXPECT_EQ(si("1 eV"), 1.602176634e-19);
+    EXPECT_EQ(si("1 kT"), 4.2800119e-21);  // 1.380649e-23 J/K at 310 K
+    EXPECT_EQ(si("50 kBT"), si("50 kT"));
+    EXPECT_EQ(si("200 zJ"), 2e-19);
+    EXPECT_EQ(si("0.2 aJ"), 2e-19);
+    EXPECT_EQ(si("1.2 mPa.s"), si("1.2 cP"));
+    EXPECT_EQ(si("0.1 L"), si("1 dL"));
 }
 
 TEST(Units, products_quotients_and_powers_have_their_dimension) {
     EXPECT_EQ(parse_measure("500 /s").dimension, (Dimension{0, 0, -1}));
     EXPECT_EQ(parse_measure("500 1/s").dimension, (Dimension{0, 0, -1}));
     EXPECT_EQ(parse_measure("500 s^-1").dimension, (Dimension{0, 0, -1}));
+    EXPECT_EQ(parse_measure("500 s-1").dimension, (Dimension{0, 0, -1}));
+    EXPECT_EQ(parse_measure("6 kg.m.s-2").dimension, (Dimension{1, 1, -2}));
+    EXPECT_EQ(parse_measure("1 kg m-1 s-1").dimension, (Dimension{1, -1, -1}));
+    EXPECT_EQ(parse_measure("3 mmH2O/m").dimension, (Dimension{1, -2, -2}));
     EXPECT_EQ(parse_measure("1025 kg/m^3").dimension, (Dimension{1, -3, 0}));
     EXPECT_EQ(parse_measure("1025 kg/m3").dimension, (Dimension{1, -3, 0}));
     EXPECT_EQ(parse_measure("1 kg/(m s)").dimension, (Dimension{1, -1, -1}));
@@ -68,6 +81,12 @@ TEST(Units, what_is_wrong_is_told) {
               "what stands under '/' is ambiguous; write brackets, as in kg/(m s)");
     EXPECT_EQ(complaint("1 kg/(m s"), "a bracket is not closed");
     EXPECT_EQ(complaint("1 m^"), "a power in a unit is a whole number from -6 to 6, as in m^3");
+    EXPECT_EQ(complaint("1 m-7"), "a power in a unit is a whole number from -6 to 6, as in m^3");
+    EXPECT_EQ(complaint("1 m-"), "'-' is not expected in a unit");
+    EXPECT_EQ(complaint("1 .s"), "'.' is not expected in a unit");
+    EXPECT_EQ(complaint("1 Pa\u00b7s"), "'\u00b7' is not expected in a unit");
+    EXPECT_EQ(complaint("1 \xb7s"), "'?' is not expected in a unit");
+    EXPECT_EQ(complaint("50 k_BT"), "unknown unit 'k_BT'; write 'kT'");
     EXPECT_EQ(complaint("1 m/"), "a unit is missing at the end");
     EXPECT_EQ(complaint("1 um)"), "')' is not expected in a unit");
     EXPECT_EQ(complaint("1e999 um"), "the number is too large or too small");

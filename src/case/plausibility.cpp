@@ -1,0 +1,91 @@
+#include "case/plausibility.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "base/units.hpp"
+
+namespace tt {
+namespace {
+
+/// A number and where it usually lies: red blood cells in microvessels, microfluidic channels and
+/// rheometers, with the width that parameter studies take.
+struct Usual {
+    std::string_view name;
+    double value = 0.0;
+    double low = 0.0, high = 0.0;
+    Dimension dimension;
+};
+
+std::vector<Usual> numbers_of_flow(const Case& c, const Choice& choice) {
+    const double k = std::abs(choice.shear_rate.si);
+    std::vector<Usual> list{
+        {"domain.width", c.domain.width.si, 2e-6, 2e-3, Length::dimension},
+        {"domain.length", c.domain.length.si, 2e-6, 2e-2, Length::dimension},
+        {"plasma.viscosity", c.plasma.viscosity.si, 3e-4, 0.1, Viscosity::dimension},
+        {"plasma.density", c.plasma.density.si, 700.0, 1500.0, Density::dimension},
+    };
+    if (k == 0.0) return list;
+    const bool shear = c.flow.drive == "shear";
+    list.push_back(
+        {shear ? "the shear rate" : "the pseudo-shear rate", k, 0.1, 2e4, Rate::dimension});
+    list.push_back({"the largest speed", choice.largest_speed.si, 1e-7, 1.0, Velocity::dimension});
+    return list;
+}
+
+std::vector<Usual> numbers_of_cells(const Case& c, const Appraisal& a) {
+    std::vector<Usual> list{
+        {"cells.radius", c.cells.radius.si, 5e-7, 2e-5, Length::dimension},
+        {"cells.cytoplasm_viscosity", c.cells.cytoplasm_viscosity.si, 3e-4, 0.2,
+         Viscosity::dimension},
+        {"membrane.shear_modulus", c.membrane.shear_modulus.si, 2e-7, 2e-3, Tension::dimension},
+        {"the hematocrit", a.hematocrit, 0.0, 0.75, Dimension{}},
+    };
+    // Without bending stiffness is a choice, not a slip.
+    if (c.membrane.bending_modulus.si > 0.0)
+        list.push_back({"membrane.bending_modulus", c.membrane.bending_modulus.si, 1e-21, 2e-17,
+                        BendingModulus::dimension});
+    if (c.contact.model != "none" && a.cells > 1) {
+        list.push_back({"contact.zero_force_distance", c.contact.zero_force_distance.si, 1e-8, 2e-6,
+                        Length::dimension});
+        list.push_back(
+            {"contact.energy", c.contact.energy.si, 0.0, 1e-4, SurfaceEnergy::dimension});
+    }
+    if (a.shear_number > 0.0)
+        list.push_back({"G = mu k a / E_s", a.shear_number, 1e-3, 20.0, Dimension{}});
+    return list;
+}
+
+std::vector<Usual> numbers_of_output(const Appraisal& a) {
+    return {
+        {"the number of frames", static_cast<double>(a.frames), 0.0, 5000.0, Dimension{}},
+        {"the disk needed in GB", 1e-9 * static_cast<double>(a.disk_bytes), 0.0, 20.0, Dimension{}},
+        {"the number of steps", static_cast<double>(a.steps), 0.0, 1e9, Dimension{}}};
+}
+
+void tell_unusual(const std::vector<Usual>& list, std::vector<Advice>& advice) {
+    for (const Usual& number : list) {
+        if (number.value >= number.low && number.value <= number.high) continue;
+        const auto text = [&](double si) { return rounded_text(si, number.dimension, 3); };
+        const std::string usual = number.low > 0.0
+                                      ? fmt::format("{} to {}", text(number.low), text(number.high))
+                                      : fmt::format("up to {}", text(number.high));
+        advice.push_back({Advice::Weight::consider,
+                          fmt::format("Unusual: {} is {}; {} is usual. Look at its unit.",
+                                      number.name, text(number.value), usual)});
+    }
+}
+
+}  // namespace
+
+std::vector<Advice> implausible_numbers(const Case& c, const Choice& choice, const Appraisal& a) {
+    std::vector<Advice> advice;
+    tell_unusual(numbers_of_flow(c, choice), advice);
+    if (a.cells > 0) tell_unusual(numbers_of_cells(c, a), advice);
+    tell_unusual(numbers_of_output(a), advice);
+    return advice;
+}
+
+}  // namespace tt

@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "case/appraise.hpp"
+#include "case/choose.hpp"
+#include "case/discretise.hpp"
+#include "case/initial_state.hpp"
+#include "case/read.hpp"
+#include "exchange/periodic.hpp"
+#include "observe/cell_measures.hpp"
+#include "observe/run_measures.hpp"
+#include "observe/snapshot.hpp"
+#include "simulation/advance.hpp"
+#include "base/parallel.hpp"
+
+namespace tt {
+namespace {
+
+const std::string channel = TT_SOURCE_DIR "/cases/05-channel/case.toml";
+
+Choice choice_with(const std::string& setting) { return choose(read_case(channel, {setting})); }
+
+/// 20 um wide, 1.2 cP: U = k H = 10 mm/s, largest 15 mm/s, U H = 0.2 mm²/s, 6 μ k = 3.6 Pa, 12 μ
+/// k/H = 360 kPa/m.
+TEST(FlowKeys, each_names_the_same_flow) {
+    const Choice by_rate = choice_with("flow.pseudo_shear_rate=500 /s");
+    for (const char* setting :
+         {"flow.mean_velocity=10 mm/s", "flow.largest_velocity=15 mm/s",
+          "flow.flow_rate=0.2 mm^2/s", "flow.wall_stress=3.6 Pa",
+          "flow.pressure_gradient=360 kPa/m", "flow.wall_stress=36 dyn/cm^2"}) {
+        const Choice choice = choice_with(setting);
+        EXPECT_NEAR(choice.shear_rate.si, 500.0, 1e-9) << setting;
+        EXPECT_NEAR(choice.largest_speed.si, 0.015, 1e-15) << setting;
+        EXPECT_NEAR(choice.pressure_gradient.si, 3.6e5, 1e-6) << setting;
+        EXPECT_NEAR(choice.dt.si / by_rate.dt.si, 1.0, 1e-12) << setting;
+    }
+}
+
+TEST(FlowKeys, exactly_one_is_given) {
+    const auto faults = [](const std::vector<std::string>& overrides) -> std::string {
+        try {
+            read_case(channel, overrides);
+        } catch (const CaseError& error) {
+            return error.what();
+        }
+        return "none";
+    };
+    // One override takes the place of the file's key, two do not go together.
+    EXPECT_EQ(faults({"flow.wall_stress=1 Pa"}), "none");
+    EXPECT_NE(faults({"flow.wall_stress=1 Pa", "flow.flow_rate=1 mm^2/s"})
+                  .find("flow_rate and wall_stress are both given"),
+              std::string::npos);
+    EXPECT_NE(faults({"flow.mean_velocity=0 mm/s"}).find("1e-6 to 1000000 /s are possible"),
+              std::string::npos);
+    EXPECT_NE(faults({"flow.wall_stress=1e6 Pa"}).find("write pseudo_shear_rate = \"1000000 /s\""),
+              std::string::npos);
+    EXPECT_NE(faults({"flow.hold=mean-velocity", "flow.wall_stress=1 Pa"}).find("what to hold"),
+              std::string::npos);
+    EXPECT_EQ(faults({"flow.hold=mean-velocity", "flow.mean_velocity=-1 mm/s"}), "none");
+}
+
+RunMeasures after(const Case& c, int steps) {
+    const Choice choice = choose(c);
+    const Model model = discretise(c, choice);
+    State state = initial_state(c, model);
+    Periodic exchange;
+    with_team(1, [&] {
+        for (int n = 0; n < steps; ++n) advance(model, state, exchange, FlowKept::everywhere);
+    });
+    return measure_run(model, state, measure_cells(model, state));
+}
+
+/// The mirror image of the flow to the right, of one cell in the middle.
+TEST(FlowKeys, a_flow_to_the_left_mirrors_that_to_the_right) {
+    for (const char* drive : {"pressure", "body-force"})
+        for (const char* hold : {"pressure-drop", "mean-velocity"}) {
+            const auto run = [&](const char* rate) {
+                return after(
+                    read_case(channel,
+                              {std::string("flow.drive=") + drive, std::string("flow.hold=") + hold,
+                               std::string("flow.pseudo_shear_rate=") + rate, "cells.layout=single",
+                               "cells.count=1", "numerics.dx=1 um", "domain.length=40 um",
+                               "numerics.node_spacing=0.5"}),
+                    200);
+            };
+            const RunMeasures right = run("500 /s"), left = run("-500 /s");
+            const std::string what = std::string(drive) + ", " + hold;
+            EXPECT_GT(right.mean_velocity.si, 5e-3) << what;
+            const double flow = right.mean_velocity.si;
+            EXPECT_NEAR(left.mean_velocity.si, -flow, 1e-3 * flow) << what;
+            EXPECT_NEAR(left.pressure_gradient.si, -right.pressure_gradient.si,
+                        1e-3 * std::abs(right.pressure_gradient.si))
+                << what;
+            EXPECT_NEAR(left.mu_rel, right.mu_rel, 1e-3 * right.mu_rel) << what;
+            EXPECT_NEAR(left.hematocrit_discharge, right.hematocrit_discharge, 2e-3) << what;
+            EXPECT_NEAR(left.lambda_C, right.lambda_C, 1e-4) << what;
+        }
+}
+
+TEST(FlowKeys, what_is_judged_does_not_depend_on_the_direction) {
+    const auto judged = [](const char* rate) {
+        const Case c = read_case(channel, {std::string("flow.pseudo_shear_rate=") + rate});
+        const Choice choice = choose(c);
+        const Model model = discretise(c, choice);
+        return appraise(c, choice, model, initial_state(c, model));
+    };
+    const Appraisal right = judged("500 /s"), left = judged("-500 /s");
+    EXPECT_EQ(left.shear_number, right.shear_number);
+    EXPECT_EQ(left.steps, right.steps);
+    EXPECT_EQ(left.transits, right.transits);
+    EXPECT_EQ(left.channel_reynolds, right.channel_reynolds);
+    EXPECT_EQ(left.advice.size(), right.advice.size());
+}
+
+}  // namespace
+}  // namespace tt
