@@ -14,6 +14,7 @@
 #include "observe/run_measures.hpp"
 #include "observe/snapshot.hpp"
 #include "simulation/advance.hpp"
+#include "source_dir.hpp"
 #include "base/parallel.hpp"
 
 namespace tt {

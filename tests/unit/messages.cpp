@@ -10,6 +10,7 @@
 #include "command.hpp"
 #include "io/file.hpp"
 #include "io/json.hpp"
+#include "source_dir.hpp"
 #include "temporary_directory.hpp"
 
 namespace tt {
