@@ -58,6 +58,7 @@ inline RunRequest small_request(const std::filesystem::path& directory, std::int
     RunRequest request;
     request.directory = directory;
     request.name = "small";
+    request.settings = "flow.shear_rate = \"75 /s\"\n";
     request.case_toml = "name = \"small\"\n";
     request.resolved_toml = "name = \"small\"\n# resolved\n";
     request.end = Time{static_cast<double>(steps) * dt};

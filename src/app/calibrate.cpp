@@ -17,7 +17,7 @@
 #include "base/error.hpp"
 #include "base/processors.hpp"
 #include "base/units.hpp"
-#include "case/resolve.hpp"
+#include "case/write.hpp"
 #include "io/checksum.hpp"
 #include "io/file.hpp"
 #include "io/json.hpp"
@@ -139,7 +139,7 @@ std::vector<Job> Calibrator::jobs_of(const TriedPair& pair) const {
         const std::vector<std::int64_t> own{condition.c.cells.seed};
         for (const std::int64_t seed : t.seeds.empty() ? own : t.seeds) {
             const Case c = case_at(condition, pair.D, pair.beta, seed);
-            const std::string hash = hexadecimal(checksum(identity_of(c))).substr(0, 12);
+            const std::string hash = hexadecimal(checksum(key_lines(c))).substr(0, 12);
             jobs.push_back(
                 {directory_.path() / "runs" /
                      fmt::format("D{}-beta{}-{}", to_text(pair.D), to_text(pair.beta), hash),

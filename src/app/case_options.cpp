@@ -20,9 +20,13 @@ namespace tt {
 
 void add_case_options(CLI::App& verb, CaseOptions& options) {
     verb.add_option("case", options.path, "the case file")->required();
+    add_set_option(verb, options);
+    add_threads_option(verb, options.threads);
+}
+
+void add_set_option(CLI::App& verb, CaseOptions& options) {
     verb.add_option("--set", options.overrides, "KEY=VALUE in place of the file's; may be repeated")
         ->allow_extra_args(false);
-    add_threads_option(verb, options.threads);
 }
 
 GivenCase read_given_case(const CaseOptions& options) {

@@ -38,6 +38,9 @@ GivenCase read_given_case(const CaseOptions& options);
 /// Throws CaseError if the sites of the grid are more than the memory of this machine can hold.
 void expect_memory(const Choice& choice);
 
+/// Adds --set alone.
+void add_set_option(CLI::App& verb, CaseOptions& options);
+
 /// Adds -j alone.
 void add_threads_option(CLI::App& verb, int& threads);
 

@@ -16,6 +16,7 @@
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
 #include "exchange/periodic.hpp"
+#include "io/file.hpp"
 #include "observe/run_case.hpp"
 
 namespace tt {
@@ -25,6 +26,7 @@ namespace fs = std::filesystem;
 
 struct RunOptions {
     CaseOptions given;
+    fs::path case_as_given;  ///< where it is not the file that is read
     std::optional<std::string> directory;
     std::optional<std::string> max_time, until;
     std::string progress = "auto";
@@ -46,9 +48,10 @@ int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
             return exit_code::done;
         case RunOutcome::Ending::was_done:
             fmt::print("{}\n", directory);
-            tell_next(request, fmt::format("{} is finished, {} steps; --fresh begins anew and "
-                                           "keeps it beside",
-                                           directory, outcome.steps));
+            tell_next(request,
+                      fmt::format("{} is finished, {} steps; a later time.end makes it longer, "
+                                  "--fresh begins anew and keeps it beside",
+                                  directory, outcome.steps));
             return exit_code::done;
         case RunOutcome::Ending::stopped:
             break;
@@ -68,7 +71,8 @@ int run(const RunOptions& options, const std::string& command_line) {
     request.directory =
         options.directory ? fs::path(*options.directory) : fs::path("results") / c.name;
     if (request.directory.empty()) throw CommandError("-o needs the name of a directory");
-    request.case_toml = given.text;
+    request.case_toml =
+        options.case_as_given.empty() ? given.text : read_file(options.case_as_given);
     request.command_line = command_line;
     request.progress = progress_mode(options.progress);
     request.start = options.fresh ? Start::fresh : Start::resume;
@@ -121,12 +125,22 @@ void add_resume(CLI::App& app, Action& action, const std::string& command_line) 
     auto options = std::make_shared<RunOptions>();
     CLI::App* verb = app.add_subcommand("resume", "go on with the run of a results directory");
     verb->add_option("directory", options->directory, "the results directory")->required();
+    add_set_option(*verb, options->given);
     add_threads_option(*verb, options->given.threads);
     add_watching_options(*verb, *options);
-    verb->footer("To the same bits as if it had never stopped.");
+    verb->footer(
+        "To the same bits as if it had never stopped. A finished run is made longer with\n"
+        "a later end; the name and the output may change too, nothing else.\n\n"
+        "  tanktread resume results/slow --set time.end=\"160 ms\"");
     verb->callback([options, &action, &command_line] {
         action = [options, &command_line] {
-            options->given.path = (fs::path(*options->directory) / "resolved.toml").string();
+            const fs::path directory = *options->directory;
+            options->given.path = (directory / "resolved.toml").string();
+            options->case_as_given = directory / "case.toml";
+            if (!fs::exists(options->given.path) || !fs::exists(options->case_as_given))
+                throw IoError(fmt::format(
+                    "'{}' holds no run to go on with; give a directory that `tanktread run` wrote",
+                    directory.string()));
             return run(*options, command_line);
         };
     });

@@ -15,15 +15,15 @@ RunRequest request_for(const Case& c, const Choice& choice, const Model& model) 
     request.name = c.name;
     request.resolved_toml = resolved_toml(c, choice, model);
     request.inputs = inputs_of(c);
-    request.identity = identity_of(c);
+    request.settings = settings_of(c, choice);
     if (c.cells.outline && !c.numerics.fluid_only) {
         request.notes.push_back("outline " + description(*c.cells.outline));
         for (const std::string& remark : c.cells.outline->remarks) request.notes.push_back(remark);
     }
     request.end = c.time.end;
     request.average_from = c.time.average_from.value_or(Time{0.5 * c.time.end.si});
-    request.series = c.output.series.value_or(Time{c.time.end.si / 500.0});
-    request.frames = c.output.frames.value_or(Time{c.time.end.si / 50.0});
+    request.series = c.output.series;
+    request.frames = c.output.frames;
     request.checkpoint = c.output.checkpoint;
     if (!c.numerics.fluid_only && choice.shear_rate.si != 0.0)
         request.shear_number = c.plasma.viscosity.si * std::abs(choice.shear_rate.si) *

@@ -65,11 +65,17 @@ std::string resolved_toml(const Case& c, const Choice& choice, const Model& mode
     return text;
 }
 
-std::string identity_of(const Case& c) {
-    Case core = named_by_content(c);
-    core.output.checkpoint = OutputCase{}.checkpoint;
-    core.output.figure_times.clear();
-    return to_toml(core);
+std::string settings_of(const Case& c, const Choice& choice) {
+    const auto chosen = [](std::string_view key, const std::string& value) {
+        return fmt::format("chosen.{} = {}\n", key, value);
+    };
+    return key_lines(named_by_content(c)) + chosen("dx", to_text(choice.dx)) +
+           chosen("dt", to_text(choice.dt)) +
+           chosen("relaxation_time", to_text(choice.relaxation_time)) +
+           chosen("density_scale", to_text(choice.density_scale)) +
+           chosen("node_spacing", to_text(choice.node_spacing)) +
+           chosen("equilibrium", choice.equilibrium) + chosen("delta", choice.delta) +
+           chosen("area_stiffness", to_text(choice.area_stiffness));
 }
 
 }  // namespace tt

@@ -18,8 +18,9 @@ std::vector<InputFile> inputs_of(const Case& c);
 /// as `inputs_of` does.
 std::string resolved_toml(const Case& c, const Choice& choice, const Model& model);
 
-/// The part of a case that determines the states of a run; how often it is saved is none of it.
-/// A file stands there by the checksum of its content.
-std::string identity_of(const Case& c);
+/// All of a case and of what was chosen for it, a line `table.key = value` each: by these a results
+/// directory knows its case. A file stands there by the checksum of its content. What was chosen is
+/// `chosen.key`: another version may choose otherwise.
+std::string settings_of(const Case& c, const Choice& choice);
 
 }  // namespace tt

@@ -11,7 +11,6 @@
 #include "base/words.hpp"
 #include "case/read.hpp"
 #include "case/reader.hpp"
-#include "case/resolve.hpp"
 #include "case/run_name.hpp"
 #include "io/file.hpp"
 #include "observe/summary.hpp"
@@ -228,7 +227,7 @@ std::size_t TargetsReader::condition(const TargetTable& table, const Spot& spot,
         const Case c = read_case((folder_ / text_.case_file).lexically_normal(), overrides);
         check_condition(c, spot);
         for (std::size_t k = 0; k < result.conditions.size(); ++k)
-            if (identity_of(result.conditions[k].c) == identity_of(c)) return k;
+            if (result.conditions[k].c == c) return k;
         result.conditions.push_back({c, fmt::format("{}", fmt::join(table.set, ", "))});
     } catch (const CaseError& error) {
         tell_case_faults(error, table, spot);

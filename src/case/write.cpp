@@ -33,11 +33,31 @@ void write_table(const S& table, const std::string& path, std::string& text) {
     });
 }
 
+template <Table S>
+void write_lines(const S& table, const std::string& path, std::string& text) {
+    for_each_field<S>([&](const auto& field) {
+        const auto& value = table.*field.member;
+        const std::string key = path + std::string(field.key);
+        if constexpr (Table<std::remove_cvref_t<decltype(value)>>) {
+            write_lines(value, key + ".", text);
+        } else {
+            const std::string written = value_text(value, field.example);
+            text += fmt::format("{} = {}\n", key, written.empty() ? "auto" : written);
+        }
+    });
+}
+
 }  // namespace
 
 std::string to_toml(const Case& given) {
     std::string text;
     write_table(given, "", text);
+    return text;
+}
+
+std::string key_lines(const Case& given) {
+    std::string text;
+    write_lines(given, "", text);
     return text;
 }
 

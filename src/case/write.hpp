@@ -10,4 +10,7 @@ namespace tt {
 /// for bit; a key without a value stands as a comment.
 std::string to_toml(const Case& given);
 
+/// The same, bare: a line `table.key = value` for every key, `auto` for one without a value.
+std::string key_lines(const Case& given);
+
 }  // namespace tt

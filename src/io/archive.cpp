@@ -127,7 +127,7 @@ void ArchiveReader::read_sections(std::size_t end) {
 }
 
 const ArchiveReader::Section& ArchiveReader::find(std::string_view name, char code) const {
-    const auto found = sections_.find(std::string(name));
+    const auto found = sections_.find(prefix_ + std::string(name));
     if (found == sections_.end() || found->second.code != code) {
         throw_damaged(fmt::format("section '{}' is absent or of another type", name));
     }

@@ -43,9 +43,13 @@ class ArchiveOutput {
 public:
     virtual ~ArchiveOutput() = default;
 
+    /// Names put from now on have `prefix` before them.
+    void enter(std::string prefix) { prefix_ = std::move(prefix); }
+
     template <class T>
     void put(std::string_view name, std::span<const T> values) {
-        put_bytes(name, element_code<T>(), values.size(), values.data(), values.size_bytes());
+        put_bytes(prefix_ + std::string(name), element_code<T>(), values.size(), values.data(),
+                  values.size_bytes());
     }
     template <class T>
     void put(std::string_view name, const std::vector<T>& values) {
@@ -63,6 +67,8 @@ private:
     void put_bytes(std::string_view name, char code, std::uint64_t count, const void* bytes,
                    std::size_t size);
     virtual void write(const void* bytes, std::size_t size) = 0;
+
+    std::string prefix_;
 };
 
 /// Named arrays kept in memory, to be put into an archive later.
@@ -116,7 +122,12 @@ public:
     /// Of the `bytes` of the file `path`.
     ArchiveReader(std::string bytes, std::filesystem::path path);
 
-    bool has(std::string_view name) const { return sections_.count(std::string(name)) > 0; }
+    /// Names asked for from now on have `prefix` before them.
+    void enter(std::string prefix) { prefix_ = std::move(prefix); }
+
+    bool has(std::string_view name) const {
+        return sections_.count(prefix_ + std::string(name)) > 0;
+    }
     /// The section `name`. DamagedArchive if it is absent or of another type.
     template <class T>
     std::vector<T> take(std::string_view name) const {
@@ -148,6 +159,7 @@ private:
     void read_sections(std::size_t end);
 
     std::filesystem::path path_;
+    std::string prefix_;
     std::string bytes_;
     std::map<std::string, Section> sections_;
     std::uint64_t hash_ = 0;

@@ -4,55 +4,87 @@
 
 #include <fmt/format.h>
 
+#include "base/version.hpp"
 #include "simulation/state_archive.hpp"
 
 namespace tt {
+namespace {
 
-void put_surroundings(ArchiveOutput& archive, const std::string& case_hash, double wall_seconds,
+/// Before the names of what the observers remember after their last look.
+constexpr const char* after_last_look = "end.";
+constexpr const char* last_look_taken = "last_look";
+
+}  // namespace
+
+void put_surroundings(ArchiveOutput& archive, const std::string& settings, double wall_seconds,
                       const Observers& observers) {
-    archive.put_text("case", case_hash);
+    archive.put_text("version", version);
+    archive.put_text("settings", settings);
     archive.put_value("wall_seconds", wall_seconds);
     for (const auto& observer : observers) observer->save(archive);
 }
 
-Checkpoints::Checkpoints(const std::filesystem::path& results, std::string case_hash)
-    : folder_(results / "checkpoint"), case_hash_(std::move(case_hash)) {}
+Checkpoints::Checkpoints(const std::filesystem::path& results, std::string settings)
+    : folder_(results / "checkpoint"), settings_(std::move(settings)) {}
 
-void Checkpoints::save(const State& state, const Observers& observers, double wall_seconds) {
+void Checkpoints::save(const State& state, const Observers& observers, double wall_seconds,
+                       const std::function<void()>& last_look) {
     make_directory(folder_);
     for (const auto& observer : observers) observer->sync();
     ArchiveWriter archive(current());
-    put_surroundings(archive, case_hash_, wall_seconds, observers);
+    put_surroundings(archive, settings_, wall_seconds, observers);
     save_state(archive, state);
+    if (last_look) {
+        archive.put_value<std::int64_t>(last_look_taken, 1);
+        last_look();
+        for (const auto& observer : observers) observer->sync();
+        archive.enter(after_last_look);
+        for (const auto& observer : observers) observer->save(archive);
+    }
     archive.commit(previous());
     saved_step_ = state.step;
 }
 
+void Checkpoints::resume(ArchiveReader& archive, const Observers& observers, bool at_end) {
+    const auto step = archive.value<std::int64_t>("step");
+    const bool has_last = archive.has(last_look_taken);
+    for (const auto& observer : observers) {
+        // The last look is dropped, unless it is where it is due by now.
+        const bool keep = at_end || observer->schedule().due(step);
+        archive.enter(has_last && keep ? after_last_look : "");
+        observer->resume(archive);
+    }
+    archive.enter("");
+}
+
 std::optional<ArchiveReader> Checkpoints::newest(
-    const std::function<void(const std::string&)>& say) {
+    const std::function<void(const std::string&)>& say,
+    const std::function<void(const ArchiveReader&)>& load) {
     std::string faults;
     for (const auto& path : {current(), previous()}) {
         if (!std::filesystem::exists(path)) continue;
-        std::string fault = fmt::format("'{}' is of another case", path.string());
         try {
             ArchiveReader archive(path);
-            if (archive.text("case") == case_hash_) {
-                saved_step_ = archive.value<std::int64_t>("step");
-                return archive;
-            }
+            load(archive);
+            saved_step_ = archive.value<std::int64_t>("step");
+            return archive;
         } catch (const DamagedArchive& error) {
-            fault = error.what();
             // Out of the way, or the next save would keep it as the previous one.
-            move_into_place(path, folder_ / "damaged", Durability::power);
+            move_into_place(path, damaged(), Durability::power);
+            say(fmt::format("checkpoint passed over: {}", error.what()));
+            faults += std::string(error.what()) + '\n';
         }
-        say(fmt::format("checkpoint passed over: {}", fault));
-        faults += fault + '\n';
     }
     if (faults.empty()) return std::nullopt;
     throw DamagedArchive(
         fmt::format("{}no sound checkpoint is left; 'run --fresh' starts anew and keeps the old "
                     "directory beside it",
                     faults));
+}
+
+bool Checkpoints::exist() const {
+    namespace fs = std::filesystem;
+    return fs::exists(current()) || fs::exists(previous()) || fs::exists(damaged());
 }
 
 }  // namespace tt

@@ -83,6 +83,7 @@ void FrameRecorder::resume(const ArchiveReader& archive) {
 void FrameRecorder::observe(const Snapshot& snapshot) { writer_->write(frame_of(snapshot)); }
 
 void FrameRecorder::save(ArchiveOutput& archive) const {
+    archive.put_value("frames.interval", schedule().interval());
     archive.put_value("frames.count", writer_->count());
 }
 

@@ -20,7 +20,7 @@ void LastGood::take(const State& state, const Observers& observers, double wall_
     const double step_seconds = any() && steps > 0 ? seconds(begin - taken_) / steps : 0.0;
     copy_saved(state, state_);
     surroundings_.clear();
-    put_surroundings(surroundings_, case_hash_, wall_seconds, observers);
+    put_surroundings(surroundings_, settings_, wall_seconds, observers);
     taken_ = Clock::now();
     minute_.done();
     // The quickest: the first one asks the system for memory, others are held up by other work.

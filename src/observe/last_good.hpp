@@ -18,8 +18,8 @@ namespace tt {
 /// steps that it would cost more than half a percent of them take it less often.
 class LastGood {
 public:
-    LastGood(std::int64_t steps, std::string case_hash)
-        : interval_(std::max<std::int64_t>(steps / 50, 1)), case_hash_(std::move(case_hash)) {}
+    LastGood(std::int64_t steps, std::string settings)
+        : interval_(std::max<std::int64_t>(steps / 50, 1)), settings_(std::move(settings)) {}
 
     /// The step at which the next copy should be taken, if the minute does not come first.
     std::int64_t next() const { return next_; }
@@ -38,7 +38,7 @@ public:
 
 private:
     const std::int64_t interval_;  ///< steps
-    const std::string case_hash_;
+    const std::string settings_;
     std::int64_t next_ = 0;
     Duty minute_{60.0};
     Clock::time_point taken_;

@@ -20,7 +20,7 @@ public:
     virtual void start() = 0;
     /// Instead of `start`: goes on from a checkpoint and drops what its files hold beyond it.
     virtual void resume(const ArchiveReader& archive) = 0;
-    /// A due step, or the last.
+    /// At a due step, and once more at the end of the run where that is not due.
     virtual void observe(const Snapshot& snapshot) = 0;
     /// Its files are on the disk, with all it has seen, when this returns.
     virtual void sync() {}

@@ -1,14 +1,33 @@
 #include "observe/provenance.hpp"
 
 #include <fstream>
+#include <sstream>
 #include <thread>
 
+#include "base/error.hpp"
 #include "base/processors.hpp"
 #include "base/version.hpp"
 #include "io/checksum.hpp"
-#include "io/json.hpp"
 
 namespace tt {
+namespace {
+
+Json build_of_this_program() {
+    const Json commit = revision.commit.empty() ? Json() : Json(revision.commit);
+    return Json{{"program", "tanktread"},  {"version", version},
+                {"commit", commit},        {"commit_changed", revision.changed},
+                {"compiler", compiler},    {"compiler_flags", compiler_flags},
+                {"build_type", build_type}};
+}
+
+Json lines_of(const std::string& text) {
+    Json lines = Json::array();
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+}  // namespace
 
 std::string processor_name() {
     std::ifstream info("/proc/cpuinfo");
@@ -20,47 +39,55 @@ std::string processor_name() {
     return "unknown";
 }
 
+Json read_provenance(const std::filesystem::path& results) {
+    const std::filesystem::path path = results / "PROVENANCE.json";
+    if (!std::filesystem::exists(path)) return Json::object();
+    try {
+        Json known = read_json(path);
+        if (known.is_object() && known.value("sessions", Json::array()).is_array()) return known;
+    } catch (const IoError&) {
+    }
+    return Json::object();
+}
+
+std::optional<std::string> recorded_settings(const std::filesystem::path& results) {
+    const Json lines = read_provenance(results).value("settings", Json());
+    if (!lines.is_array()) return std::nullopt;
+    std::string settings;
+    for (const Json& line : lines) {
+        if (!line.is_string()) return std::nullopt;
+        settings += line.get<std::string>() + '\n';
+    }
+    return settings;
+}
+
 void write_provenance(const std::filesystem::path& results, const Provenance& p, Session& session,
                       const std::string& state_hash) {
-    const std::filesystem::path path = results / "PROVENANCE.json";
-    Json sessions = Json::array();
-    if (std::filesystem::exists(path)) {
-        const Json before = read_json(path);
-        if (before.contains("sessions")) sessions = before["sessions"];
-    }
-    const Json entry{{"started", session.started}, {"command_line", p.command_line},
-                     {"threads", p.threads},       {"from_step", session.from_step},
-                     {"to_step", session.to_step}, {"wall_seconds", session.wall_seconds},
-                     {"ending", session.ending}};
-    if (session.number < 0) {
-        session.number = static_cast<int>(sessions.size());
-        sessions.push_back(entry);
-    }
-    sessions[static_cast<std::size_t>(session.number)] = entry;
-    const Json commit = revision.commit.empty() ? Json() : Json(revision.commit);
+    const Json build = build_of_this_program();
+    Json sessions = read_provenance(results).value("sessions", Json::array());
+    const int count = static_cast<int>(sessions.size());
+    if (session.number < 0 || session.number > count) session.number = count;
+    sessions[static_cast<std::size_t>(session.number)] =
+        Json{{"started", session.started}, {"command_line", p.command_line},
+             {"threads", p.threads},       {"from_step", session.from_step},
+             {"to_step", session.to_step}, {"wall_seconds", session.wall_seconds},
+             {"ending", session.ending},   {"build", build}};
     Json inputs = Json::array();
     for (const InputFile& input : p.inputs)
         inputs.push_back({{"file", input.name}, {"hash", hexadecimal(checksum(input.bytes))}});
-    const Json all{{"name", p.name},
-                   {"case_hash", p.case_hash},
-                   {"program", "tanktread"},
-                   {"version", version},
-                   {"commit", commit},
-                   {"commit_changed", revision.changed},
-                   {"compiler", compiler},
-                   {"compiler_flags", compiler_flags},
-                   {"build_type", build_type},
-                   {"processor", processor_name()},
-                   {"hardware_threads", std::thread::hardware_concurrency()},
-                   {"usable_processors", usable_processors()},
-                   {"threads", p.threads},
-                   {"ranks", 1},
-                   {"case_toml_hash", hexadecimal(checksum(p.case_toml))},
-                   {"resolved_toml_hash", hexadecimal(checksum(p.resolved_toml))},
-                   {"inputs", inputs},
-                   {"state_hash", state_hash},
-                   {"sessions", sessions}};
-    write_json(path, all, Durability::power);
+    Json all{{"name", p.name}, {"settings", lines_of(p.settings)}};
+    all.update(build);
+    all.update(Json{{"processor", processor_name()},
+                    {"hardware_threads", std::thread::hardware_concurrency()},
+                    {"usable_processors", usable_processors()},
+                    {"threads", p.threads},
+                    {"ranks", 1},
+                    {"case_toml_hash", hexadecimal(checksum(p.case_toml))},
+                    {"resolved_toml_hash", hexadecimal(checksum(p.resolved_toml))},
+                    {"inputs", inputs},
+                    {"state_hash", state_hash},
+                    {"sessions", sessions}});
+    write_json(results / "PROVENANCE.json", all, Durability::power);
 }
 
 }  // namespace tt

@@ -2,8 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "io/json.hpp"
 
 namespace tt {
 
@@ -16,8 +19,7 @@ struct InputFile {
 /// Where a result came from; what is not asked of the machine.
 struct Provenance {
     std::string name;
-    std::string
-        case_hash;  ///< of what determines the run: tells whether a directory is of the same case
+    std::string settings;  ///< a line `table.key = value` each: tells what case it is
     std::string case_toml, resolved_toml;
     std::string command_line;
     int threads = 1;
@@ -34,9 +36,15 @@ struct Session {
     int number = -1;     ///< place in the list; −1 before the first write
 };
 
-/// PROVENANCE.json: version, commit (null: from no repository), compiler, flags, processor,
-/// threads, hashes of all that was read, and one entry per session: the first write of a session
-/// adds its entry and sets its number, later ones replace it.
+/// What PROVENANCE.json says; an empty object if there is none or it is damaged.
+Json read_provenance(const std::filesystem::path& results);
+
+/// The settings in it; nothing where they cannot be told.
+std::optional<std::string> recorded_settings(const std::filesystem::path& results);
+
+/// PROVENANCE.json: settings, hashes of all that was read, the machine, and one entry per session
+/// with the build that ran it: the first write of a session adds its entry and sets its number,
+/// later ones replace it.
 void write_provenance(const std::filesystem::path& results, const Provenance& provenance,
                       Session& session, const std::string& state_hash);
 

@@ -1,5 +1,7 @@
 #include "observe/results_directory.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 
@@ -11,7 +13,6 @@
 
 #include "base/error.hpp"
 #include "io/file.hpp"
-#include "io/json.hpp"
 
 namespace tt {
 namespace {
@@ -19,12 +20,17 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path lock_file(const fs::path& results) { return results / ".lock"; }
-fs::path marker(const fs::path& results) { return results / "PROVENANCE.json"; }
 
-/// A run that was killed before it wrote its marker leaves at most these.
+bool holds_results(const fs::path& path) {
+    return fs::exists(path / "PROVENANCE.json") || fs::exists(path / "checkpoint");
+}
+
+/// A run that was killed before it wrote PROVENANCE.json, its first file, leaves at most these.
 bool holds_something(const fs::path& path) {
+    constexpr std::array leftovers{".lock", "run.log", "PROVENANCE.json.tmp"};
     for (const auto& entry : fs::directory_iterator(path)) {
-        if (entry.path().filename() != ".lock" && entry.path().filename() != "run.log") return true;
+        const std::string name = entry.path().filename().string();
+        if (std::find(leftovers.begin(), leftovers.end(), name) == leftovers.end()) return true;
     }
     return false;
 }
@@ -33,7 +39,7 @@ void expect_results(const fs::path& path) {
     if (!fs::exists(path)) return;
     if (!fs::is_directory(path))
         throw DirectoryInUse(fmt::format("'{}' is a file, not a directory", path.string()));
-    if (holds_something(path) && !fs::exists(marker(path))) {
+    if (holds_something(path) && !holds_results(path)) {
         throw DirectoryInUse(
             fmt::format("'{}' holds files but no results of ours; choose another directory with -o",
                         path.string()));
@@ -64,24 +70,13 @@ void DirectoryLock::release() {
     descriptor_ = -1;
 }
 
-ResultsDirectory::ResultsDirectory(const fs::path& path, const std::string& case_hash, Start start)
-    : path_(path) {
+ResultsDirectory::ResultsDirectory(const fs::path& path, Start start) : path_(path) {
     expect_results(path_);
     make_directory(path_);
     lock_.acquire(path_);
-    if (!fs::exists(marker(path_))) return;
-    if (start == Start::fresh) {
-        move_aside();
-        lock_.acquire(path_);
-        return;
-    }
-    const Json known = read_json(marker(path_));
-    if (known.value("case_hash", std::string()) != case_hash) {
-        throw DirectoryInUse(fmt::format(
-            "'{}' holds results of another case ('{}'); choose another directory with -o, or "
-            "move it aside with --fresh",
-            path_.string(), known.value("name", "?")));
-    }
+    if (start == Start::resume || !holds_results(path_)) return;
+    move_aside();
+    lock_.acquire(path_);
 }
 
 void ResultsDirectory::move_aside() {

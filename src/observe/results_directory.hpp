@@ -25,15 +25,13 @@ private:
     int descriptor_ = -1;
 };
 
-/// A results directory that this process alone writes to, until the object ends. Nothing in it is
-/// ever overwritten by another case.
+/// A results directory that this process alone writes to, until the object ends.
 class ResultsDirectory {
 public:
-    /// Makes the directory or takes over one of the same case (`case_hash`). With Start::fresh an
-    /// existing one is first renamed to `path.1`, `path.2`, … Throws DirectoryInUse if another
-    /// process holds it, if it is of another case, or if it is no results directory; IoError if it
-    /// cannot be made.
-    ResultsDirectory(const std::filesystem::path& path, const std::string& case_hash, Start start);
+    /// Makes the directory or takes over one that holds results. With Start::fresh these are first
+    /// renamed to `path.1`, `path.2`, … Throws DirectoryInUse if another process holds it, or if it
+    /// holds something else than results; IoError if it cannot be made.
+    ResultsDirectory(const std::filesystem::path& path, Start start);
 
     const std::filesystem::path& path() const { return path_; }
     /// Where the former content went; empty if nothing was moved.

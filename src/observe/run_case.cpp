@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/units.hpp"
 #include "observe/checkpoints.hpp"
 #include "observe/duty.hpp"
 #include "observe/failure.hpp"
@@ -12,6 +13,7 @@
 #include "observe/last_good.hpp"
 #include "observe/profile_average.hpp"
 #include "observe/provenance.hpp"
+#include "observe/same_case.hpp"
 #include "observe/series.hpp"
 #include "observe/status.hpp"
 #include "observe/summary.hpp"
@@ -32,17 +34,20 @@ public:
     RunOutcome run(const std::function<State()>& initial);
 
 private:
-    std::string case_hash() const;
     void log(const std::string& message);
     void say(const std::string& message);
-    void add_observers();
+    void add_observers(Time series, Time frames);
     void start(const std::function<State()>& initial);
-    void resume(const ArchiveReader& archive);
-    bool was_done() const;
-    bool was_done_without_state() const;
+    void load(const ArchiveReader& archive);
+    void resume(ArchiveReader& archive);
+    void tell_cadence(const char* what, Time before, std::optional<Time> asked);
+    void expect_nothing_to_lose() const;
+    bool was_done(std::int64_t step) const;
+    void write_case() const;
 
     void loop();
     void observe();
+    void take_last_look();
     void attend_to_duties();
     void save_checkpoint();
     void keep_good();
@@ -51,6 +56,9 @@ private:
 
     bool at_end() const { return state_.step >= steps_; }
     bool at_stop() const { return state_.step >= stop_; }
+    Time time_of(std::int64_t step) const {
+        return Time{static_cast<double>(step) * model_.scales.time};
+    }
     Standing standing();
     void record(const std::string& phase);
     double wall_seconds() const { return earlier_seconds_ + pace_->seconds(); }
@@ -83,9 +91,9 @@ CaseRun::CaseRun(const RunRequest& request, const Model& model, Exchange& exchan
       steps_(steps_until(request.end.si, model.scales.time)),
       stop_(request.until ? std::min(steps_, steps_until(request.until->si, model.scales.time))
                           : steps_),
-      results_(request.directory, case_hash(), request.start),
-      checkpoints_(results_.path(), case_hash()),
-      good_(steps_, case_hash()),
+      results_(request.directory, request.start),
+      checkpoints_(results_.path(), request.settings),
+      good_(steps_, request.settings),
       progress_(request.progress),
       log_(results_.path() / "run.log", OutputFile::Mode::append),
       status_duty_(2.0),
@@ -99,11 +107,6 @@ CaseRun::CaseRun(const RunRequest& request, const Model& model, Exchange& exchan
         say(fmt::format("moved the former results to '{}'", results_.moved_to().string()));
 }
 
-std::string CaseRun::case_hash() const {
-    return hexadecimal(
-        checksum(request_.identity.empty() ? request_.resolved_toml : request_.identity));
-}
-
 void CaseRun::log(const std::string& message) {
     log_.append(fmt::format("{} {}\n", utc_now(), message));
 }
@@ -113,35 +116,30 @@ void CaseRun::say(const std::string& message) {
     progress_.say(message);
 }
 
-void CaseRun::add_observers() {
+void CaseRun::add_observers(Time series, Time frames) {
     const double dt = model_.scales.time;
-    const Schedule series(request_.series.si, dt);
-    const Schedule frames(request_.frames.si, dt);
+    const Schedule looks(series.si, dt);
     const fs::path& path = results_.path();
     const auto tell = [this](const std::string& message) { say(message); };
-    observers_.push_back(std::make_unique<Series>(series, path));
+    observers_.push_back(std::make_unique<Series>(looks, path));
     observers_.push_back(
-        std::make_unique<ProfileAverage>(series, path, request_.average_from, model_));
+        std::make_unique<ProfileAverage>(looks, path, request_.average_from, model_, tell));
     observers_.push_back(std::make_unique<FrameRecorder>(
-        frames, path, frames_header(model_, state_, request_.name), tell));
+        Schedule(frames.si, dt), path, frames_header(model_, state_, request_.name), tell));
 }
 
 void CaseRun::start(const std::function<State()>& initial) {
     state_ = initial();
     pace_.emplace(state_.step);
     record("running");
-    replace_file(results_.path() / "case.toml", request_.case_toml, Durability::power);
-    for (const InputFile& input : request_.inputs) {
-        make_directory((results_.path() / input.name).parent_path());
-        replace_file(results_.path() / input.name, input.bytes, Durability::power);
-    }
-    replace_file(results_.path() / "resolved.toml", request_.resolved_toml, Durability::power);
+    write_case();
     say(fmt::format("'{}': {} steps on {} x {} sites, {} cell{}, {} thread{}", request_.name,
                     steps_, model_.lattice.nx, model_.lattice.ny, state_.cells.cell_count(),
                     state_.cells.cell_count() == 1 ? "" : "s", model_.threads,
                     model_.threads == 1 ? "" : "s"));
     for (const std::string& note : request_.notes) say(note);
-    add_observers();
+    add_observers(request_.series.value_or(Time{request_.end.si / 500.0}),
+                  request_.frames.value_or(Time{request_.end.si / 50.0}));
     for (const auto& observer : observers_) observer->start();
     health_.emplace(request_.limits, state_);
     if (auto fault = health_->examine(model_, state_)) throw SimulationError(*fault);
@@ -150,22 +148,73 @@ void CaseRun::start(const std::function<State()>& initial) {
     keep_good();
 }
 
-void CaseRun::resume(const ArchiveReader& archive) {
+/// DamagedArchive if the state cannot be gone on with, DirectoryInUse if it is of another case.
+void CaseRun::load(const ArchiveReader& archive) {
+    expect_same_case(request_.directory, archive.text("settings"), request_.settings);
     state_ = load_state(archive, model_, exchange_);
+    health_.emplace(request_.limits, state_);
+    if (const auto fault = health_->examine(model_, state_))
+        throw DamagedArchive(
+            fmt::format("the checkpoint holds a state that is {}", SimulationError(*fault).what()));
+    if (state_.step > steps_)
+        throw DirectoryInUse(fmt::format(
+            "the results in '{}' are at {} already, beyond the end asked for, {}; choose another "
+            "directory with -o, or move them aside with --fresh",
+            request_.directory.string(), to_text(time_of(state_.step)), to_text(request_.end)));
+    session_.from_step = state_.step;
     earlier_seconds_ = archive.value<double>("wall_seconds");
     pace_.emplace(state_.step);
-    session_.from_step = state_.step;
-    add_observers();
-    health_.emplace(request_.limits, state_);
 }
 
-bool CaseRun::was_done() const { return at_end() && fs::exists(results_.path() / "summary.json"); }
+/// Goes on with the state that `load` took from there.
+void CaseRun::resume(ArchiveReader& archive) {
+    // Left by an earlier end, where the end or something else was changed since.
+    fs::remove(results_.path() / "summary.json");
+    if (archive.text("settings") != request_.settings) write_case();
+    const Time series{archive.value<double>("series.interval")};
+    const Time frames{archive.value<double>("frames.interval")};
+    add_observers(request_.series.value_or(series), request_.frames.value_or(frames));
+    Checkpoints::resume(archive, observers_, at_end());
+    record("running");
+    say(fmt::format("resumed at step {} of {}", state_.step, steps_));
+    tell_cadence("rows of series.csv and cells.csv", series, request_.series);
+    tell_cadence("frames", frames, request_.frames);
+}
 
-/// Finished results whose checkpoint/, the largest part, somebody deleted: nothing to do, and
-/// nothing of theirs to write over.
-bool CaseRun::was_done_without_state() const {
-    return fs::exists(results_.path() / "summary.json") &&
-           read_status(results_.path()).value("step", std::int64_t{0}) >= steps_;
+void CaseRun::tell_cadence(const char* what, Time before, std::optional<Time> asked) {
+    if (!asked || *asked == before) return;
+    say(fmt::format("from here on {} come every {}, before every {}; averages count rows", what,
+                    to_text(*asked), to_text(before)));
+}
+
+void CaseRun::write_case() const {
+    replace_file(results_.path() / "case.toml", request_.case_toml, Durability::power);
+    for (const InputFile& input : request_.inputs) {
+        make_directory((results_.path() / input.name).parent_path());
+        replace_file(results_.path() / input.name, input.bytes, Durability::power);
+    }
+    replace_file(results_.path() / "resolved.toml", request_.resolved_toml, Durability::power);
+}
+
+/// No checkpoint is left. What is there may be what the very start of a run leaves, but must not
+/// be results: finished or not, they are of nobody's to write over.
+void CaseRun::expect_nothing_to_lose() const {
+    const fs::path& path = results_.path();
+    if (const auto theirs = recorded_settings(path))
+        expect_same_case(request_.directory, *theirs, request_.settings);
+    const bool lost = fs::exists(path / "summary.json") || checkpoints_.exist() ||
+                      recorded_status(path).value("checkpoint_step", std::int64_t{-1}) >= 0;
+    if (lost)
+        throw DirectoryInUse(fmt::format(
+            "'{}' holds results but no checkpoint to go on from; choose another directory with "
+            "-o, or move them aside with --fresh",
+            request_.directory.string()));
+}
+
+/// Is all there that a run of just these settings leaves? summary.json is the last of it.
+bool CaseRun::was_done(std::int64_t step) const {
+    return step == steps_ && fs::exists(results_.path() / "summary.json") &&
+           recorded_settings(results_.path()) == request_.settings;
 }
 
 Standing CaseRun::standing() {
@@ -174,7 +223,7 @@ Standing CaseRun::standing() {
     now.name = request_.name;
     now.step = state_.step;
     now.steps = steps_;
-    now.time = static_cast<double>(state_.step) * model_.scales.time;
+    now.time = time_of(state_.step).si;
     now.end = request_.end.si;
     now.wall_seconds = wall_seconds();
     now.steps_per_second = at_end() ? pace_->mean_rate(state_.step) : pace_->steps_per_second();
@@ -193,7 +242,7 @@ void CaseRun::record(const std::string& phase) {
     session_.to_step = state_.step;
     session_.wall_seconds = pace_->seconds();
     session_.ending = phase;
-    const Provenance provenance{request_.name,          case_hash(),           request_.case_toml,
+    const Provenance provenance{request_.name,          request_.settings,     request_.case_toml,
                                 request_.resolved_toml, request_.command_line, model_.threads,
                                 request_.inputs};
     write_provenance(results_.path(), provenance, session_, hexadecimal(state_hash(state_)));
@@ -203,13 +252,23 @@ void CaseRun::record(const std::string& phase) {
 void CaseRun::observe() {
     const Snapshot snapshot(model_, state_);
     for (const auto& observer : observers_) {
-        if (observer->schedule().due(state_.step) || at_end()) observer->observe(snapshot);
+        if (observer->schedule().due(state_.step)) observer->observe(snapshot);
+    }
+}
+
+/// At the end, of those that are not due there.
+void CaseRun::take_last_look() {
+    const Snapshot snapshot(model_, state_);
+    for (const auto& observer : observers_) {
+        if (!observer->schedule().due(state_.step)) observer->observe(snapshot);
     }
 }
 
 /// Of a state that has been examined, as every one is that `start` or `run_steps` leaves.
 void CaseRun::save_checkpoint() {
-    checkpoints_.save(state_, observers_, wall_seconds());
+    const std::function<void()> last_look = [this] { take_last_look(); };
+    checkpoints_.save(state_, observers_, wall_seconds(),
+                      at_end() ? last_look : std::function<void()>());
     checkpoint_duty_.done();
 }
 
@@ -250,7 +309,7 @@ void CaseRun::finish() {
     for (const auto& observer : observers_) observer->finish();
     SummaryInput input;
     input.average_from = request_.average_from;
-    input.average_to = Time{static_cast<double>(steps_) * model_.scales.time};
+    input.average_to = time_of(steps_);
     input.shear_rate = Rate{model_.shear_rate / model_.scales.time};
     input.shear_number = request_.shear_number;
     input.wall_seconds = wall_seconds();
@@ -260,9 +319,10 @@ void CaseRun::finish() {
     input.steps = steps_;
     input.threads = model_.threads;
     input.session = {state_.step - session_.from_step, pace_->seconds(), step_times_.seconds()};
-    write_json(results_.path() / "summary.json", summarise(results_.path(), input),
-               Durability::power);
+    const Json summary = summarise(results_.path(), input);
     record("done");
+    // The last of all: where it stands, the run is finished and everything else is there.
+    write_json(results_.path() / "summary.json", summary, Durability::power);
     say(fmt::format("done: {} steps in {:.1f} s: {:.3g} MLUPS, {:.3g} cell-steps/s", steps_,
                     input.wall_seconds, input.mlups, input.cell_steps_per_second));
 }
@@ -288,18 +348,19 @@ RunOutcome CaseRun::outcome(RunOutcome::Ending ending) const {
 RunOutcome CaseRun::run(const std::function<State()>& initial) {
     const auto tell = [this](const std::string& message) { say(message); };
     try {
-        if (const auto archive = checkpoints_.newest(tell)) {
+        auto archive =
+            checkpoints_.newest(tell, [this](const ArchiveReader& found) { load(found); });
+        if (was_done(archive ? state_.step
+                             : recorded_status(results_.path()).value("step", std::int64_t{-1}))) {
+            return archive ? outcome(RunOutcome::Ending::was_done)
+                           : RunOutcome{RunOutcome::Ending::was_done, steps_, steps_, 0, 0.0};
+        }
+        if (archive) {
             resume(*archive);
-            if (was_done()) return outcome(RunOutcome::Ending::was_done);
-            // Left by an earlier end, where the end was moved since.
-            fs::remove(results_.path() / "summary.json");
-            for (const auto& observer : observers_) observer->resume(*archive);
+            archive.reset();
             keep_good();
-            record("running");
-            say(fmt::format("resumed at step {} of {}", state_.step, steps_));
-        } else if (was_done_without_state()) {
-            return {RunOutcome::Ending::was_done, steps_, steps_, 0, 0.0};
         } else {
+            expect_nothing_to_lose();
             start(initial);
         }
         loop();

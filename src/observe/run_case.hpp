@@ -24,15 +24,15 @@ struct RunRequest {
     std::string case_toml;          ///< as given
     std::string resolved_toml;      ///< every default and derived number
     std::vector<InputFile> inputs;  ///< what else the case was read from
-    std::string identity;           ///< text of all that determines a state; empty: resolved_toml
+    std::string settings;           ///< all of it, a line `table.key = value` each
     std::string command_line;
     std::vector<std::string> notes;  ///< on what was read: told as a run starts
     Time end;
-    Time average_from;             ///< start of the averaging window, which ends with the run
-    Time series, frames;           ///< intervals
-    Time checkpoint{300.0};        ///< wall clock
-    std::optional<Time> max_time;  ///< wall clock of this session
-    std::optional<Time> until;     ///< simulated time at which this session stops, before the end
+    Time average_from;                   ///< start of the averaging window, which ends with the run
+    std::optional<Time> series, frames;  ///< intervals; else as so far, or 1/500 and 1/50 of `end`
+    Time checkpoint{300.0};              ///< wall clock
+    std::optional<Time> max_time;        ///< wall clock of this session
+    std::optional<Time> until;  ///< simulated time at which this session stops, before the end
     ProgressMode progress = ProgressMode::automatic;
     Start start = Start::resume;
     HealthLimits limits;
@@ -50,8 +50,9 @@ struct RunOutcome {
 
 /// Runs the case into its results directory, or goes on with it, until its end, a signal,
 /// `until` or the time limit; leaves the directory such that the same call goes on, to the same
-/// bits as if it had never stopped. `initial` is called only for a run that starts. Throws
-/// SimulationError (last good state in failure/), DirectoryInUse, IoError.
+/// bits as if it had never stopped. A call with a later end makes a finished run longer; rows and
+/// frames that are there stay, later ones come as it asks. `initial` is called only for a run that
+/// starts. Throws SimulationError (last good state in failure/), DirectoryInUse, IoError.
 RunOutcome run_case(const RunRequest& request, const Model& model,
                     const std::function<State()>& initial, Exchange& exchange);
 

@@ -56,6 +56,7 @@ void Series::sync() {
 void Series::save(ArchiveOutput& archive) const {
     archive.put_value("series.size", series_->size());
     archive.put_value("cells.size", cells_->size());
+    archive.put_value("series.interval", schedule().interval());
     archive.put_value("series.last_time", last_time_);
     archive.put("series.phase", phase_);
     archive.put("series.last_rate", last_rate_);

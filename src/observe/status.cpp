@@ -46,6 +46,15 @@ void write_status(const std::filesystem::path& results, const Standing& s,
     write_json(results / "status.json", status, Durability::process);
 }
 
+Json recorded_status(const std::filesystem::path& results) {
+    try {
+        Json status = read_json(results / "status.json");
+        if (status.is_object()) return status;
+    } catch (const IoError&) {
+    }
+    return Json::object();
+}
+
 Json read_status(const std::filesystem::path& results) {
     if (!std::filesystem::is_directory(results))
         throw IoError(results.string() + ": no such results directory");
@@ -54,8 +63,10 @@ Json read_status(const std::filesystem::path& results) {
                       ": holds no results (no status.json); give a directory that `tanktread run` "
                       "wrote");
     Json status = read_json(results / "status.json");
-    if (status.value("status", std::string()) == "running" && !is_running(results))
-        status["status"] = "interrupted";
+    const std::string phase = status.value("status", std::string());
+    const bool done = phase == "done" && std::filesystem::exists(results / "summary.json");
+    if (phase == "running" || (phase == "done" && !done))
+        status["status"] = is_running(results) ? "running" : "interrupted";
     return status;
 }
 
@@ -84,8 +95,9 @@ std::string describe_status(const Json& status) {
     std::string text =
         fmt::format("{}: {}\n{}\n", status.value("name", "?"), phase, progress_line(s));
     if (phase == "interrupted" || phase == "stopped") {
-        text += fmt::format("run again to resume from step {}\n",
-                            status.value("checkpoint_step", std::int64_t{-1}));
+        const auto step = status.value("checkpoint_step", std::int64_t{-1});
+        text += step > 0 ? fmt::format("run again to resume from step {}\n", step)
+                         : "run again; it begins at step 0\n";
     }
     return text;
 }

@@ -12,8 +12,12 @@ namespace tt {
 void write_status(const std::filesystem::path& results, const Standing& standing,
                   const std::string& phase);
 
-/// What status.json says; a run that says `running` but holds no lock was killed and reads
-/// `interrupted`. IoError if the directory has none.
+/// What status.json says, as it stands; an empty object if there is none or it is damaged.
+Json recorded_status(const std::filesystem::path& results);
+
+/// The same in the light of what is there: a run that holds no lock and did not come to its
+/// summary.json, though it says `running` or `done`, was killed and reads `interrupted`. IoError if
+/// the directory holds no run.
 Json read_status(const std::filesystem::path& results);
 
 /// The same for people, a few lines.

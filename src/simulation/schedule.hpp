@@ -3,9 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 namespace tt {
+
+/// The step nearest to `steps`, a real number of them; the later of two that are as near, whatever
+/// the rounding of a time and of an interval that divides it.
+inline std::int64_t nearest_step(double steps) {
+    constexpr double farthest = 4e18;  // whatever an interval is, twice of it is an int64 too
+    return static_cast<std::int64_t>(std::floor(std::min(steps, farthest) * (1.0 + 1e-12) + 0.5));
+}
+
+/// The number of steps of a run that ends at `end` seconds: the step nearest to it, and one at
+/// least. The same rule as Schedule's, so that an interval which divides the end meets it.
+inline std::int64_t steps_until(double end, double dt) {
+    return std::max(std::int64_t{1}, nearest_step(end / dt));
+}
 
 /// When something is due, in steps: the n-th time is the step nearest to n · interval, with the
 /// interval a real number of steps. A function of the step alone, so it neither drifts nor changes
@@ -15,7 +27,10 @@ public:
     Schedule() = default;
     /// Every `interval` seconds of a run with time step `dt` [s]; an interval below one step means
     /// every step.
-    Schedule(double interval, double dt) : steps_(std::max(1.0, interval / dt)) {}
+    Schedule(double interval, double dt)
+        : interval_(interval), steps_(std::max(1.0, interval / dt)) {}
+
+    double interval() const { return interval_; }  ///< [s]
 
     bool due(std::int64_t step) const { return nth(nearest(step)) == step; }
 
@@ -27,26 +42,14 @@ public:
         return nth(n);
     }
 
-    double interval_in_steps() const { return steps_; }
-
 private:
-    /// Beyond what a step number can be: never.
-    std::int64_t nth(std::int64_t n) const { return whole(static_cast<double>(n) * steps_); }
+    std::int64_t nth(std::int64_t n) const { return nearest_step(static_cast<double>(n) * steps_); }
     std::int64_t nearest(std::int64_t step) const {
-        return whole(static_cast<double>(step) / steps_);
-    }
-    static std::int64_t whole(double number) {
-        constexpr double largest = 9.2e18;  // just below 2^63
-        return number < largest ? std::llround(number) : std::numeric_limits<std::int64_t>::max();
+        return std::llround(static_cast<double>(step) / steps_);
     }
 
+    double interval_ = 0.0;
     double steps_ = 1.0;
 };
-
-/// The number of steps that reaches `end` seconds: the smallest with steps · dt ≥ end but for
-/// rounding.
-inline std::int64_t steps_until(double end, double dt) {
-    return static_cast<std::int64_t>(std::ceil(end / dt * (1.0 - 1e-12)));
-}
 
 }  // namespace tt

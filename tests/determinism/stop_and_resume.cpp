@@ -14,64 +14,17 @@
 #include "base/error.hpp"
 #include "base/random.hpp"
 #include "io/archive.hpp"
+#include "io/csv.hpp"
 #include "io/frames.hpp"
 #include "io/json.hpp"
+#include "observe/status.hpp"
+#include "runs.hpp"
 #include "simulation/stop.hpp"
-#include "small_run.hpp"
-#include "temporary_directory.hpp"
 
 namespace tt {
 namespace {
 
-namespace fs = std::filesystem;
-
-class StopAndResume : public TemporaryDirectory {
-protected:
-    StopAndResume() { clear_stop_request(); }
-    ~StopAndResume() override { clear_stop_request(); }
-};
-
-/// Runs `work` in a process of its own; its exit status, or −signal.
-template <class Work>
-pid_t in_a_child(Work work) {
-    const pid_t child = fork();
-    if (child != 0) return child;
-    int code = 0;
-    try {
-        work();
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        code = 5;
-    }
-    _exit(code);
-}
-
-int ending_of(pid_t child) {
-    int status = 0;
-    waitpid(child, &status, 0);
-    return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
-}
-
-void expect_same_results(const fs::path& a, const fs::path& b) {
-    EXPECT_EQ(read_json(a / "PROVENANCE.json")["state_hash"],
-              read_json(b / "PROVENANCE.json")["state_hash"]);
-    for (const char* name : {"series.csv", "cells.csv", "profiles.csv"}) {
-        EXPECT_EQ(read_file(a / name), read_file(b / name)) << name;
-    }
-    const FramesReader of_a(a / "frames.h5");
-    const FramesReader of_b(b / "frames.h5");
-    ASSERT_EQ(of_a.count(), of_b.count());
-    for (int k = 0; k < of_a.count(); ++k) {
-        const Frame x = of_a.frame(k);
-        const Frame y = of_b.frame(k);
-        EXPECT_EQ(x.step, y.step);
-        EXPECT_EQ(x.nodes, y.nodes);
-        EXPECT_EQ(x.node_force, y.node_force);
-        EXPECT_EQ(x.velocity, y.velocity);
-        EXPECT_EQ(x.pressure, y.pressure);
-        EXPECT_EQ(x.cytoplasm, y.cytoplasm);
-    }
-}
+using StopAndResume = RunsTest;
 
 /// They take a tenth of a second and more; stops come after 20 to 50 ms.
 constexpr std::int64_t steps = 6001;
@@ -167,9 +120,11 @@ TEST_F(StopAndResume, the_time_limit_stops_and_every_piece_adds_up) {
     RunRequest request = small_request(path("pieces"), steps);
     request.max_time = Time{0.03};
     int pieces = 1;
-    while (run_small(request).ending == RunOutcome::Ending::stopped && pieces < 10000) ++pieces;
+    for (; run_small(request).ending == RunOutcome::Ending::stopped; ++pieces) {
+        ASSERT_FALSE(stop_requested()) << "this process has been asked to stop";
+        request.max_time->si *= 1.2;  // on a machine where 30 ms are spent on starting, too
+    }
     EXPECT_GT(pieces, 1);
-    ASSERT_LT(pieces, 10000) << "every piece stops: has this process been asked to stop?";
     expect_same_results(path("straight"), path("pieces"));
     EXPECT_EQ(read_json(path("pieces") / "PROVENANCE.json")["sessions"].size(),
               static_cast<std::size_t>(pieces));
@@ -177,16 +132,6 @@ TEST_F(StopAndResume, the_time_limit_stops_and_every_piece_adds_up) {
     const Json sum = read_json(path("pieces") / "summary.json");
     EXPECT_EQ(whole["lambda_C"], sum["lambda_C"]);
     EXPECT_EQ(whole["mu_rel"], sum["mu_rel"]);
-}
-
-/// Stops after the first checkpoints, so that current and previous exist.
-void stop_midway(RunRequest request) {
-    request.max_time = Time{0.0};
-    run_small(request);
-    request.max_time = Time{0.03};
-    ASSERT_EQ(run_small(request).ending, RunOutcome::Ending::stopped);
-    request.max_time = Time{0.02};
-    ASSERT_EQ(run_small(request).ending, RunOutcome::Ending::stopped);
 }
 
 TEST_F(StopAndResume, a_damaged_checkpoint_is_passed_over_for_the_previous_one) {
@@ -237,50 +182,25 @@ TEST_F(StopAndResume, a_full_disk_destroys_nothing_and_the_run_goes_on_with_more
 }
 
 /// People delete checkpoint/, the largest part of what is finished.
-TEST_F(StopAndResume, finished_results_without_a_checkpoint_are_left_as_they_are) {
-    const RunRequest request = small_request(path("done"), 100);
-    run_small(request);
-    fs::remove_all(path("done") / "checkpoint");
-    std::map<std::string, std::string> before;
-    for (const char* name : {"series.csv", "cells.csv", "frames.h5", "summary.json",
-                             "PROVENANCE.json", "status.json"}) {
-        before[name] = read_file(path("done") / name);
-    }
-    const RunOutcome outcome = run_small(request);
-    EXPECT_EQ(outcome.ending, RunOutcome::Ending::was_done);
-    EXPECT_EQ(outcome.steps, 100);
-    for (const auto& [name, text] : before) EXPECT_EQ(read_file(path("done") / name), text) << name;
-}
-
-TEST_F(StopAndResume, two_runs_never_write_to_one_directory) {
-    const RunRequest request = small_request(path("run"), 100000000);
-    const pid_t child = in_a_child([&] { run_small(request); });
-    while (!fs::exists(path("run") / "status.json")) std::this_thread::yield();
-    EXPECT_TRUE(is_running(path("run")));
-    EXPECT_THROW(run_small(request), DirectoryInUse);
-    RunRequest fresh = request;
-    fresh.start = Start::fresh;
-    EXPECT_THROW(run_small(fresh), DirectoryInUse);
-    kill(child, SIGKILL);
-    ending_of(child);
-    EXPECT_FALSE(is_running(path("run")));
-}
-
-TEST_F(StopAndResume, results_of_another_case_and_foreign_files_are_left_alone) {
-    RunRequest request = small_request(path("run"), 50);
-    run_small(request);
-    const std::string series = read_file(path("run") / "series.csv");
-    request.resolved_toml += "other = true\n";
-    EXPECT_THROW(run_small(request), DirectoryInUse);
-    EXPECT_EQ(read_file(path("run") / "series.csv"), series);
-    request.start = Start::fresh;
-    run_small(request);
-    EXPECT_EQ(read_file(path("run.1") / "series.csv"), series);
-
-    fs::create_directory(path("thesis"));
-    replace_file(path("thesis") / "chapter1.tex", "...", Durability::process);
-    request.directory = path("thesis");
-    EXPECT_THROW(run_small(request), DirectoryInUse);
+/// 1007 steps: rows and frames are due at 1000, and the last look is one more; the window of the
+/// averages moves with the end.
+/// The last look is the one thing that a loaded state cannot give again.
+/// Killed in its very first writes.
+/// Sound as a file, with a right checksum: it counts as damaged none the less.
+TEST_F(StopAndResume, a_checkpoint_with_impossible_content_is_passed_over) {
+    run_small(small_request(path("straight"), steps));
+    const RunRequest request = small_request(path("forged"), steps);
+    stop_midway(request);
+    const fs::path current = path("forged") / "checkpoint/current";
+    const ArchiveReader whole(current);
+    ArchiveWriter forged(current);
+    forged.put_text("version", "0.0");
+    forged.put_text("settings", request.settings);
+    forged.put_value("step", whole.value<std::int64_t>("step"));
+    forged.commit();
+    EXPECT_EQ(run_small(request).ending, RunOutcome::Ending::done);
+    expect_same_results(path("straight"), path("forged"));
+    EXPECT_TRUE(fs::exists(path("forged") / "checkpoint/damaged"));
 }
 
 }  // namespace

@@ -40,7 +40,26 @@ TEST(Schedule, an_interval_that_no_run_reaches_is_never_due_again) {
 TEST(Schedule, an_end_that_is_a_whole_number_of_steps_is_met_exactly) {
     EXPECT_EQ(steps_until(0.08, 1e-6), 80000);
     EXPECT_EQ(steps_until(0.1, 0.1 / 3), 3);
-    EXPECT_EQ(steps_until(1.0, 0.3), 4);
+    EXPECT_EQ(steps_until(1.0, 0.3), 3);
+    EXPECT_EQ(steps_until(1e-9, 1.0), 1);
+}
+
+/// Else the last row is doubled: once where it is due, and one step later, at the end.
+TEST(Schedule, an_interval_that_divides_the_end_is_due_at_the_end) {
+    for (int k = 0; k < 20000; ++k) {
+        const double dt = 1e-7 * (1.0 + 1e-4 * k), end = 2e-3;
+        for (const int parts : {1, 2, 3, 7, 50, 500})
+            ASSERT_TRUE(Schedule(end / parts, dt).due(steps_until(end, dt))) << dt << ' ' << parts;
+    }
+}
+
+TEST(Schedule, an_interval_beyond_all_time_is_due_at_the_start_alone) {
+    for (const double interval : {1e6, 1e13, 1e300}) {
+        const Schedule schedule(interval, 1e-7);
+        EXPECT_TRUE(schedule.due(0));
+        EXPECT_GT(schedule.next_after(0), std::int64_t{1} << 40);
+        EXPECT_FALSE(schedule.due(1'000'000));
+    }
 }
 
 }  // namespace
