@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""Is everything on the disk that a loss of power must find there? From the file-system calls of a run: what is renamed into its place has been
+synced before, its folder after; what a checkpoint counts has been synced before the checkpoint takes its place; usage: order.py PROGRAM SHIM"""
+import pathlib
+import sys
+
+from runs import Runs
+
+# May be lost with the power: told again in two seconds.
+PASSING = {"status.json"}
+
+
+def faults(calls, folder):
+    dirty, renamed, found = set(), {}, []
+    for name, path in calls:
+        if name in ("write", "truncate"):
+            dirty.add(path)
+        elif name == "fsync":
+            dirty.discard(path)
+            renamed.pop(path, None)
+        elif name == "rename":
+            source, target = path.split(" ")
+            if pathlib.Path(target).name in PASSING:
+                dirty.discard(source)
+                continue
+            if source in dirty:
+                found.append(f"{target} takes its place before it is on the disk")
+                dirty.discard(source)
+            if target.endswith("checkpoint/current"):
+                counted = [p for p in dirty if not p.endswith((".tmp", "run.log"))] + [t for t in renamed.values() if "/checkpoint/" not in t]
+                found += [f"the checkpoint counts {p}, which is not on the disk" for p in counted]
+            renamed[str(pathlib.Path(target).parent)] = target
+    return found + [f"the folder of {target} is not synced" for target in renamed.values()]
+
+
+def main():
+    program, shim = sys.argv[1:]
+    with Runs(program) as runs:
+        log = runs.folder / "log"
+        code, told = runs.run("run", environment={"LD_PRELOAD": shim, "FAULTY_BELOW": str(runs.folder / "run"), "FAULTY_LOG": str(log)})
+        assert code == 0, told
+        calls = [line.split(" ", 2)[1:] for line in log.read_text().splitlines()]
+        found = faults(calls, runs.folder / "run")
+        for name in ("fsync", "rename", "write"):
+            assert any(call[0] == name for call in calls), f"no {name} was seen"
+    for fault in dict.fromkeys(found):
+        print(fault)
+    print(f"{len(calls)} calls, {len(found)} faults")
+    sys.exit(1 if found else 0)
+
+
+if __name__ == "__main__":
+    main()
