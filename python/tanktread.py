@@ -121,8 +121,14 @@ class Results:
 
     @property
     def summary(self) -> dict:
-        """What a paper would quote: each quantity {mean, sd_time, sd_cells, window, unit}; empty until the run ends."""
-        return self._json("summary.json")
+        """What a paper would quote, {value, unit, …} by name; averages have mean, standard_error, sd_time, sd_cells, window
+        and more, what is not defined a reason. Empty until the run ends."""
+        return {name: entry for name, entry in self._json("summary.json").items() if name != "checks"}
+
+    @property
+    def checks(self) -> list[dict]:
+        """What is in order and what is not, {name, verdict, value, limit, unit, sentence} each; empty until the run ends."""
+        return self._json("summary.json").get("checks", [])
 
     @property
     def provenance(self) -> dict:

@@ -10,6 +10,7 @@
 #include "app/verb.hpp"
 #include "base/error.hpp"
 #include "base/tell.hpp"
+#include "observe/checks.hpp"
 #include "observe/status.hpp"
 #include "report/export.hpp"
 #include "report/figures.hpp"
@@ -28,8 +29,14 @@ struct ResultsOptions {
 };
 
 int show_status(const ResultsOptions& options) {
-    const Json status = read_status(options.directories.front());
-    fmt::print("{}", options.json ? status.dump(2) + "\n" : describe_status(status));
+    Json status = read_status(options.directories.front());
+    const std::vector<Check> checks = read_checks(options.directories.front());
+    if (options.json) {
+        status["checks"] = to_json(checks);
+        fmt::print("{}\n", status.dump(2));
+    } else {
+        fmt::print("{}{}", describe_status(status), describe_checks(checks));
+    }
     return exit_code::done;
 }
 

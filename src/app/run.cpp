@@ -34,9 +34,9 @@ struct RunOptions {
 };
 
 /// What to do next, for people: a reader of --progress json sees nothing but JSON.
-void tell_next(const RunRequest& request, const std::string& advice) {
+void tell_next(const RunRequest& request, const std::string& lines) {
     std::fflush(stdout);  // before what goes to stderr
-    if (request.progress != ProgressMode::json) tell_user("{}\n", advice);
+    if (request.progress != ProgressMode::json) tell_user("{}", lines);
 }
 
 int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
@@ -44,19 +44,20 @@ int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
     switch (outcome.ending) {
         case RunOutcome::Ending::done:
             fmt::print("{}\n", directory);
-            tell_next(request, fmt::format("next:  tanktread report {}", directory));
+            tell_next(request, fmt::format("next:  tanktread report {}\n{}", directory,
+                                           describe_checks(outcome.checks)));
             return exit_code::done;
         case RunOutcome::Ending::was_done:
             fmt::print("{}\n", directory);
             tell_next(request,
                       fmt::format("{} is finished, {} steps; a later time.end makes it longer, "
-                                  "--fresh begins anew and keeps it beside",
-                                  directory, outcome.steps));
+                                  "--fresh begins anew and keeps it beside\n{}",
+                                  directory, outcome.steps, describe_checks(outcome.checks)));
             return exit_code::done;
         case RunOutcome::Ending::stopped:
             break;
     }
-    tell_next(request, fmt::format("next:  tanktread resume {}", directory));
+    tell_next(request, fmt::format("next:  tanktread resume {}\n", directory));
     return exit_code::stopped_early;
 }
 

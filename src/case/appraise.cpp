@@ -12,13 +12,14 @@
 #include "case/plausibility.hpp"
 #include "membrane/outline_checks.hpp"
 #include "membrane/stability.hpp"
+#include "observe/checks.hpp"
 #include "simulation/schedule.hpp"
 
 namespace tt {
 namespace {
 
 constexpr double mach_limit =
-    0.3;  // beyond, the error of compressibility, of order Ma², passes a tenth
+    2.0 * largest_mach;  // beyond, the error of compressibility, of order Ma², passes a tenth
 
 void count_all(const Case& c, const Choice& choice, const State& initial, Appraisal& a) {
     const Suspension& cells = initial.cells;
@@ -141,7 +142,7 @@ void advise_on_step(const Case& c, const Choice& choice, const Appraisal& a, Adv
                 "[membrane], or leave it out.",
                 rounded_text(choice.area_stiffness, 3),
                 rounded_text(Pressure{0.9 * b.margin() * choice.area_stiffness.si}, 2));
-    if (a.mach > 0.1 && a.mach <= mach_limit)
+    if (a.mach > largest_mach && a.mach <= mach_limit)
         adviser.consider(
             "Mach number {:.2g}: errors of compressibility of about {:.1f} %; halving dt quarters "
             "them.",

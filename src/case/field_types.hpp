@@ -30,7 +30,7 @@ inline constexpr bool is_quantity<Quantity<D>> = true;
 
 /// A struct with a field list of its own: a table of the case file.
 template <class T>
-concept Table = requires {
+concept TomlTable = requires {
     FieldList<T>::entries;
 };
 

@@ -9,6 +9,8 @@
 #include "base/error.hpp"
 #include "case/choose.hpp"
 #include "case/layout.hpp"
+#include "coupling/stencil.hpp"
+#include "exchange/periodic.hpp"
 #include "fluid/collide_stream.hpp"
 #include "membrane/outline_checks.hpp"
 #include "membrane/shapes.hpp"
@@ -162,6 +164,14 @@ VectorField undisturbed_flow(const Model& m) {
     return velocity;
 }
 
+/// Before the first step nodes move with the fluid around them: what an observer sees of them then,
+/// and nothing else, follows from it.
+void let_nodes_follow(State& state) {
+    Periodic().fill(state.velocity);
+    for (int cell = 0; cell < state.cells.cell_count(); ++cell)
+        interpolate(Order::zeroth, state.stencils, state.velocity, state.cells, cell);
+}
+
 }  // namespace
 
 State initial_state(const Case& c, const Model& model) {
@@ -175,6 +185,7 @@ State initial_state(const Case& c, const Model& model) {
         c.flow.start == "rest" ? VectorField(model.lattice) : undisturbed_flow(model);
     set_equilibrium(model.equilibrium, flow, model.boundaries.pressure_drop, state.populations);
     derive(model, state);
+    let_nodes_follow(state);
     return state;
 }
 

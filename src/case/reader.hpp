@@ -15,12 +15,12 @@
 namespace tt {
 
 /// The paths of all tables that have a field `key`.
-template <Table S>
+template <TomlTable S>
 void find_key(std::string_view key, const std::string& path, std::vector<std::string>& found) {
     for_each_field<S>([&](const auto& field) {
         using T = std::remove_cvref_t<decltype(std::declval<S>().*field.member)>;
         if (field.key == key && !path.empty()) found.push_back(path);
-        if constexpr (Table<T>)
+        if constexpr (TomlTable<T>)
             find_key<T>(
                 key, path.empty() ? std::string(field.key) : fmt::format("{}.{}", path, field.key),
                 found);
@@ -29,12 +29,12 @@ void find_key(std::string_view key, const std::string& path, std::vector<std::st
 
 /// Walks the tree along the field lists. Goes on after a fault; what could not be read keeps its
 /// default.
-template <Table Root>
+template <TomlTable Root>
 class Reader : public ValueReader {
 public:
     using ValueReader::ValueReader;
 
-    template <Table S>
+    template <TomlTable S>
     void read_table(const TomlNode& table, const TomlEntry* header, const std::string& path,
                     S& result) {
         for (const TomlEntry& entry : table.entries) {
@@ -68,13 +68,13 @@ private:
 
     template <class F, class T>
     void read_field(const TomlEntry& entry, const std::string& path, const F& field, T& result) {
-        if constexpr (Table<T>) {
+        if constexpr (TomlTable<T>) {
             if (entry.value.kind == TomlNode::Kind::table)
                 return read_table(entry.value, &entry, path, result);
             const bool twice = entry.value.kind == TomlNode::Kind::array;
             tell_key(entry, fmt::format("{} is a table; write [{}] on a line of its own{}",
                                         field.key, path, twice ? ", once" : ""));
-        } else if constexpr (is_list<T> && Table<item_type<T>>) {
+        } else if constexpr (is_list<T> && TomlTable<item_type<T>>) {
             read_tables(entry, fmt::format("[{}]", path), result);
         } else {
             if constexpr (is_optional<T>) {
@@ -104,7 +104,7 @@ private:
 
     template <class F, class T>
     void read_absent(const TomlEntry* header, const std::string& path, const F& field, T& result) {
-        if constexpr (Table<T>) {
+        if constexpr (TomlTable<T>) {
             read_table(TomlNode{}, header, path, result);
         } else if constexpr (is_quantity<T> || std::is_same_v<T, Measure>) {
             if (!field.range.contains(result.si)) tell_missing(header, path, text_of(field));
@@ -120,7 +120,7 @@ private:
         faults.push_back(std::move(fault));
     }
 
-    template <Table S>
+    template <TomlTable S>
     void tell_unknown_key(const TomlEntry& entry, const std::string& path) {
         std::vector<std::string_view> keys;
         for_each_field<S>([&](const auto& field) { keys.push_back(field.key); });

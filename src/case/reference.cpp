@@ -67,19 +67,19 @@ KeyLine key_line(const F& field, const T& value) {
     return line;
 }
 
-template <Table S>
+template <TomlTable S>
 void collect(const std::string& path, std::string_view meaning, std::vector<TableLines>& tables) {
     const S defaults{};
     TableLines table{path, std::string(meaning), {}};
     for_each_field<S>([&](const auto& field) {
         const auto& value = defaults.*field.member;
-        if constexpr (!Table<std::remove_cvref_t<decltype(value)>>)
+        if constexpr (!TomlTable<std::remove_cvref_t<decltype(value)>>)
             table.keys.push_back(key_line(field, value));
     });
     tables.push_back(std::move(table));
     for_each_field<S>([&](const auto& field) {
         using T = std::remove_cvref_t<decltype(defaults.*field.member)>;
-        if constexpr (Table<T>) {
+        if constexpr (TomlTable<T>) {
             const std::string below =
                 path.empty() ? std::string(field.key) : fmt::format("{}.{}", path, field.key);
             collect<T>(below, field.meaning, tables);

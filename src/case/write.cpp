@@ -9,12 +9,12 @@
 namespace tt {
 namespace {
 
-template <Table S>
+template <TomlTable S>
 void write_table(const S& table, const std::string& path, std::string& text) {
     for_each_field<S>([&](const auto& field) {
         const auto& value = table.*field.member;
         using T = std::remove_cvref_t<decltype(value)>;
-        if constexpr (!Table<T>) {
+        if constexpr (!TomlTable<T>) {
             const std::string written = value_text(value, field.example);
             const std::string line = written.empty()
                                          ? fmt::format("# {} = (auto or not given)", field.key)
@@ -24,7 +24,7 @@ void write_table(const S& table, const std::string& path, std::string& text) {
     });
     for_each_field<S>([&](const auto& field) {
         const auto& value = table.*field.member;
-        if constexpr (Table<std::remove_cvref_t<decltype(value)>>) {
+        if constexpr (TomlTable<std::remove_cvref_t<decltype(value)>>) {
             const std::string name =
                 path.empty() ? std::string(field.key) : fmt::format("{}.{}", path, field.key);
             text += fmt::format("\n{:<42} # {}\n", fmt::format("[{}]", name), field.meaning);

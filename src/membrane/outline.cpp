@@ -121,6 +121,12 @@ double curvature(const Outline& outline, int node) {
     return 2.0 * cross(before, after) / (lengths + dot(before, after)) / node_length(outline, node);
 }
 
+double turn(const Outline& outline, int node) {
+    const Vec2 before = outline[node] - outline[previous(outline, node)];
+    const Vec2 after = outline[next(outline, node)] - outline[node];
+    return std::atan2(cross(before, after), dot(before, after));
+}
+
 Vec2 outward_normal(const Outline& outline, int node) {
     const Vec2 chord = outline[next(outline, node)] - outline[previous(outline, node)];
     return turned_right(chord) / norm(chord);

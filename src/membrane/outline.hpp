@@ -63,6 +63,9 @@ constexpr double taylor_deformation(double length, double breadth) {
 /// segments. Second order for evenly spaced nodes; exact on a regular polygon's inscribed circle.
 double curvature(const Outline& outline, int node);
 
+/// Turn from the segment before node k to the one after it, in [−π, π], positive where convex.
+double turn(const Outline& outline, int node);
+
 /// Unit outward normal at node k, perpendicular to the chord between its neighbours.
 Vec2 outward_normal(const Outline& outline, int node);
 

@@ -60,7 +60,9 @@ void measure_shape(const Scales& scales, const Suspension& cells, int cell,
     m.strain = m.lambda_C - 1.0;
     m.taylor_inertia = taylor_deformation(ellipse.major, ellipse.minor);
     m.taylor_extent = taylor_deformation(radii.largest, radii.smallest);
-    m.inclination_deg = ellipse.inclination * 180.0 / std::numbers::pi;
+    constexpr double rounding = 1e-9;  // of a circle, which has no long axis
+    m.inclination_deg = m.taylor_inertia > rounding ? ellipse.inclination * 180.0 / std::numbers::pi
+                                                    : std::numeric_limits<double>::quiet_NaN();
 }
 
 void measure_stretch(const Suspension& cells, int cell, CellMeasures& m) {
@@ -74,6 +76,17 @@ void measure_stretch(const Suspension& cells, int cell, CellMeasures& m) {
         m.stretch_min = std::min(m.stretch_min, stretch);
         m.stretch_max = std::max(m.stretch_max, stretch);
     }
+}
+
+/// How sharply the polygon bends, against what a grid resolves.
+void measure_bends(const Outline& shape, CellMeasures& m) {
+    double sharpest = 0.0, turned = 0.0;
+    for (int k = 0; k < shape.size(); ++k) {
+        sharpest = std::max(sharpest, std::abs(curvature(shape, k)));
+        turned = std::max(turned, std::abs(turn(shape, k)));
+    }
+    m.turn_max_deg = turned * 180.0 / std::numbers::pi;
+    m.curvature_radius_sites = 1.0 / sharpest;
 }
 
 /// Eq. 24, G* = τ_max L_C / E_s, with E_s the shear modulus of the in-plane law as it stands in Eq.
@@ -107,6 +120,7 @@ CellMeasures measure_cell(const Model& model, const State& state, const PlasmaMa
     measure_place(model, state, cell, moments, m);
     measure_shape(model.scales, state.cells, cell, moments, m);
     measure_stretch(state.cells, cell, m);
+    measure_bends(outline(state.cells, cell), m);
     measure_stress(model, state, plasma, cell, m);
     return m;
 }

@@ -24,6 +24,8 @@ struct CellMeasures {
     double phase = 0.0;            ///< tank-treading phase [rad], accumulated
     Rate phase_rate;               ///< mean over nodes of (r × v)/r²; period = 2π / |its mean|
     double stretch_min = 1.0, stretch_max = 1.0;  ///< of the segments
+    double turn_max_deg = 0.0;                    ///< largest turn between neighbouring segments
+    double curvature_radius_sites = 0.0;          ///< smallest radius of curvature, in sites
     double area_error = 0.0;                      ///< A / A_ref − 1
     Length wall_distance;                         ///< smallest node to wall
     Pressure stress_traction;   ///< largest shear traction of the outer plasma on the membrane
@@ -48,8 +50,11 @@ struct RunMeasures {
     double hematocrit_discharge = 0.0;
     double lambda_C = 1.0, lambda_C_sd = 0.0;  ///< mean and standard deviation over cells
     double strain = 0.0;
-    double taylor_inertia = 0.0, taylor_extent = 0.0, inclination_deg = 0.0;  ///< means over cells
+    double taylor_inertia = 0.0, taylor_extent = 0.0;  ///< means over cells
+    double inclination_deg = 0.0;  ///< the same, the upper half of a channel mirrored
     double area_error_max = 0.0;
+    double turn_max_deg = 0.0;            ///< largest of all cells
+    double curvature_radius_sites = 0.0;  ///< smallest of all cells
     // Cell-free layer, each definition by its name, per side and mean of both
     // (docs/theory/analysis.md).
     Length cfl_gap_bottom, cfl_gap_top, cfl_gap;                 ///< smallest distance to the wall
@@ -59,7 +64,7 @@ struct RunMeasures {
     double mach = 0.0;                                           ///< largest speed / sound speed
     std::int64_t overlaps = 0;                                   ///< nodes inside another cell
     std::int64_t repulsion_count = 0;
-    Length smallest_gap;  ///< between cells; the reach of contact where none is nearer
+    Length smallest_gap;  ///< between cells; NaN where none is within the reach of contact
 };
 
 template <>
@@ -85,6 +90,10 @@ struct FieldList<CellMeasures> {
         FieldEntry{"phase_rate", &C::phase_rate, "rate of the tank-treading phase"},
         FieldEntry{"stretch_min", &C::stretch_min, "smallest local stretch"},
         FieldEntry{"stretch_max", &C::stretch_max, "largest local stretch"},
+        FieldEntry{"turn_max_deg", &C::turn_max_deg,
+                   "largest turn between neighbouring segments, degrees"},
+        FieldEntry{"curvature_radius_sites", &C::curvature_radius_sites,
+                   "smallest radius of curvature of the membrane, in sites"},
         FieldEntry{"area_error", &C::area_error, "area / reference area - 1"},
         FieldEntry{"wall_distance", &C::wall_distance, "smallest distance of a node to a wall"},
         FieldEntry{"stress_traction", &C::stress_traction,
@@ -124,8 +133,13 @@ struct FieldList<RunMeasures> {
                    "Taylor deformation (inertia), mean over cells"},
         FieldEntry{"taylor_extent", &R::taylor_extent,
                    "Taylor deformation (radii), mean over cells"},
-        FieldEntry{"inclination_deg", &R::inclination_deg, "inclination, mean over cells, degrees"},
+        FieldEntry{"inclination_deg", &R::inclination_deg,
+                   "inclination, mean over cells, the upper half of a channel mirrored, degrees"},
         FieldEntry{"area_error_max", &R::area_error_max, "largest relative area error of any cell"},
+        FieldEntry{"turn_max_deg", &R::turn_max_deg,
+                   "largest turn between neighbouring segments of any cell, degrees"},
+        FieldEntry{"curvature_radius_sites", &R::curvature_radius_sites,
+                   "smallest radius of curvature of any membrane, in sites"},
         FieldEntry{"cfl_gap_bottom", &R::cfl_gap_bottom,
                    "smallest distance of any membrane to the bottom wall"},
         FieldEntry{"cfl_gap_top", &R::cfl_gap_top,
@@ -150,7 +164,7 @@ struct FieldList<RunMeasures> {
         FieldEntry{"repulsion_count", &R::repulsion_count,
                    "node-steps with short-range repulsion since the start"},
         FieldEntry{"smallest_gap", &R::smallest_gap,
-                   "smallest gap between two cells, at most the reach of contact"},
+                   "smallest gap between two cells within the reach of contact"},
     };
 };
 

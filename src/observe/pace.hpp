@@ -22,6 +22,7 @@ struct Standing {
     std::int64_t checkpoint_step = -1;
     int cells = 0;
     int threads = 1;
+    double dx = 0.0;  ///< site spacing [m]
 };
 
 /// Mean over cells of perimeter / rest perimeter; 1 without cells.

@@ -13,6 +13,7 @@
 #include "observe/last_good.hpp"
 #include "observe/profile_average.hpp"
 #include "observe/provenance.hpp"
+#include "observe/run_measures.hpp"
 #include "observe/same_case.hpp"
 #include "observe/series.hpp"
 #include "observe/status.hpp"
@@ -234,6 +235,7 @@ Standing CaseRun::standing() {
     now.checkpoint_step = checkpoints_.saved_step();
     now.cells = state_.cells.cell_count();
     now.threads = model_.threads;
+    now.dx = model_.scales.length;
     return now;
 }
 
@@ -308,9 +310,11 @@ void CaseRun::loop() {
 void CaseRun::finish() {
     for (const auto& observer : observers_) observer->finish();
     SummaryInput input;
-    input.average_from = request_.average_from;
-    input.average_to = time_of(steps_);
+    input.window = {request_.average_from, time_of(steps_)};
+    input.dx = Length{model_.scales.length};
+    input.mirror_height = mirror_height(model_);
     input.shear_rate = Rate{model_.shear_rate / model_.scales.time};
+    if (model_.drive.hold_mean_velocity) input.held_rate = input.shear_rate;
     input.shear_number = request_.shear_number;
     input.wall_seconds = wall_seconds();
     const double rate = static_cast<double>(steps_) / input.wall_seconds;
@@ -325,6 +329,7 @@ void CaseRun::finish() {
     write_json(results_.path() / "summary.json", summary, Durability::power);
     say(fmt::format("done: {} steps in {:.1f} s: {:.3g} MLUPS, {:.3g} cell-steps/s", steps_,
                     input.wall_seconds, input.mlups, input.cell_steps_per_second));
+    log_.append(describe_checks(read_checks(results_.path())));
 }
 
 /// Leaves failure/, and tells with what was seen where it is. Never masks the error it records.
@@ -342,7 +347,9 @@ SimulationError CaseRun::failed(const SimulationError& error) {
 }
 
 RunOutcome CaseRun::outcome(RunOutcome::Ending ending) const {
-    return {ending, state_.step, steps_, state_hash(state_), wall_seconds()};
+    RunOutcome result{ending, state_.step, steps_, state_hash(state_), wall_seconds(), {}};
+    if (ending != RunOutcome::Ending::stopped) result.checks = read_checks(results_.path());
+    return result;
 }
 
 RunOutcome CaseRun::run(const std::function<State()>& initial) {
@@ -353,7 +360,8 @@ RunOutcome CaseRun::run(const std::function<State()>& initial) {
         if (was_done(archive ? state_.step
                              : recorded_status(results_.path()).value("step", std::int64_t{-1}))) {
             return archive ? outcome(RunOutcome::Ending::was_done)
-                           : RunOutcome{RunOutcome::Ending::was_done, steps_, steps_, 0, 0.0};
+                           : RunOutcome{RunOutcome::Ending::was_done, steps_, steps_, 0, 0.0,
+                                        read_checks(results_.path())};
         }
         if (archive) {
             resume(*archive);

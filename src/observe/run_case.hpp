@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "exchange/exchange.hpp"
+#include "observe/checks.hpp"
 #include "observe/progress.hpp"
 #include "observe/provenance.hpp"
 #include "observe/results_directory.hpp"
@@ -46,6 +47,7 @@ struct RunOutcome {
     std::int64_t steps = 0;
     std::uint64_t state_hash = 0;  ///< 0 where no checkpoint was left to read it from
     double wall_seconds = 0.0;     ///< all sessions together
+    std::vector<Check> checks;     ///< of a run that is done
 };
 
 /// Runs the case into its results directory, or goes on with it, until its end, a signal,

@@ -94,32 +94,49 @@ void measure_hematocrit(const Model& model, std::span<const CellMeasures> cells,
     m.hematocrit_discharge = carries ? carried / length / m.flux.si : undefined;
 }
 
+/// Over the cells of which it is defined.
 template <class Value>
 double mean_over(std::span<const CellMeasures> cells, Value value) {
     double sum = 0.0;
-    for (const CellMeasures& c : cells) sum += value(c);
-    return cells.empty() ? undefined : sum / static_cast<double>(cells.size());
+    std::size_t count = 0;
+    for (const CellMeasures& c : cells) {
+        if (!std::isfinite(value(c))) continue;
+        sum += value(c);
+        ++count;
+    }
+    return count == 0 ? undefined : sum / static_cast<double>(count);
 }
 
-void measure_shapes(std::span<const CellMeasures> cells, RunMeasures& m) {
+void measure_shapes(const Model& model, std::span<const CellMeasures> cells, RunMeasures& m) {
     using C = CellMeasures;
     m.lambda_C = mean_over(cells, [](const C& c) { return c.lambda_C; });
     m.strain = m.lambda_C - 1.0;
     m.taylor_inertia = mean_over(cells, [](const C& c) { return c.taylor_inertia; });
     m.taylor_extent = mean_over(cells, [](const C& c) { return c.taylor_extent; });
+    const double mirror = mirror_height(model).si;
+    const auto angle = [&](const C& c) {
+        return mirrored_inclination(c.inclination_deg, c.y.si, mirror);
+    };
     // An axis has no head: +89° and −89° are neighbours, so the doubled angle is averaged.
     const double doubled = std::numbers::pi / 90.0;
-    const auto sine = [=](const C& c) { return std::sin(doubled * c.inclination_deg); };
-    const auto cosine = [=](const C& c) { return std::cos(doubled * c.inclination_deg); };
+    const auto sine = [&](const C& c) { return std::sin(doubled * angle(c)); };
+    const auto cosine = [&](const C& c) { return std::cos(doubled * angle(c)); };
     m.inclination_deg = std::atan2(mean_over(cells, sine), mean_over(cells, cosine)) / doubled;
     double squares = 0.0;
-    m.area_error_max = 0.0;
-    for (const C& c : cells) {
-        squares += (c.lambda_C - m.lambda_C) * (c.lambda_C - m.lambda_C);
-        m.area_error_max = std::max(m.area_error_max, std::abs(c.area_error));
-    }
+    for (const C& c : cells) squares += (c.lambda_C - m.lambda_C) * (c.lambda_C - m.lambda_C);
     const double freedom = static_cast<double>(cells.size()) - 1.0;
-    m.lambda_C_sd = freedom > 0.0 ? std::sqrt(squares / freedom) : 0.0;
+    m.lambda_C_sd = freedom > 0.0 ? std::sqrt(squares / freedom) : undefined;
+}
+
+/// The worst of all cells.
+void measure_extremes(std::span<const CellMeasures> cells, RunMeasures& m) {
+    m.area_error_max = m.turn_max_deg = cells.empty() ? undefined : 0.0;
+    m.curvature_radius_sites = cells.empty() ? undefined : HUGE_VAL;
+    for (const CellMeasures& c : cells) {
+        m.area_error_max = std::max(m.area_error_max, std::abs(c.area_error));
+        m.turn_max_deg = std::max(m.turn_max_deg, c.turn_max_deg);
+        m.curvature_radius_sites = std::min(m.curvature_radius_sites, c.curvature_radius_sites);
+    }
 }
 
 void measure_layers(const Model& model, const State& state, RunMeasures& m) {
@@ -139,6 +156,16 @@ void measure_layers(const Model& model, const State& state, RunMeasures& m) {
 }
 
 }  // namespace
+
+Length mirror_height(const Model& model) {
+    const bool channel = model.lattice.walls && !walls_drive(model);
+    return model.scales.to_si<Length>(channel ? 0.5 * model.lattice.ny : undefined);
+}
+
+double mirrored_inclination(double inclination, double y, double mirror_height) {
+    const double rounding = 1e-9 * mirror_height;
+    return y > mirror_height + rounding ? -inclination : inclination;
+}
 
 double flux(const Model& model, const State& state) {
     double sum = sum_over_sites(state.velocity.x);
@@ -188,13 +215,15 @@ RunMeasures measure_run(const Model& model, const State& state,
     measure_flow(model, state, m);
     const double fastest = largest_speed(state.velocity);
     measure_hematocrit(model, cells, fastest, m);
-    measure_shapes(cells, m);
+    measure_shapes(model, cells, m);
+    measure_extremes(cells, m);
     measure_layers(model, state, m);
     m.mach = fastest * std::numbers::sqrt3;
     m.overlaps = static_cast<std::int64_t>(find_overlaps(model.lattice, state.cells).size());
     m.repulsion_count = state.contact.repulsion_count;
-    m.smallest_gap =
-        cells.empty() ? Length{undefined} : model.scales.to_si<Length>(state.contact.smallest_gap);
+    const bool near = state.contact.smallest_gap < model.contact.reach();
+    m.smallest_gap = Length{undefined};
+    if (near) m.smallest_gap = model.scales.to_si<Length>(state.contact.smallest_gap);
     return m;
 }
 

@@ -15,6 +15,14 @@ namespace tt {
 RunMeasures measure_run(const Model& model, const State& state,
                         std::span<const CellMeasures> cells);
 
+/// Mid-height of a channel whose walls do not drive its flow, about which the shear changes its
+/// sign; NaN elsewhere.
+Length mirror_height(const Model& model);
+
+/// The inclination of a cell at height y as it would be in the lower half of a channel: means over
+/// cells of both halves would cancel by symmetry otherwise.
+double mirrored_inclination(double inclination, double y, double mirror_height);
+
 /// Volume flux per unit depth through a cross-section, ∫ u_x dy averaged over x. Lattice units. The
 /// sum over rows is the midpoint rule; between walls its error (u'(H) − u'(0))/24 is added, so that
 /// the flux is of fourth order and exact for Poiseuille flow. The sum alone, which the flow

@@ -40,6 +40,7 @@ void write_status(const std::filesystem::path& results, const Standing& s,
                       {"lambda_C", s.lambda_C},
                       {"cells", s.cells},
                       {"threads", s.threads},
+                      {"dx", s.dx},
                       {"checkpoint_step", s.checkpoint_step},
                       {"pid", static_cast<std::int64_t>(getpid())},
                       {"updated", utc_now()}};

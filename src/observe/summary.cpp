@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/csv.hpp"
+#include "observe/run_measures.hpp"
 
 namespace tt {
 namespace {
@@ -33,125 +34,168 @@ constexpr std::array flows{"area_error_max",
                            "mach",
                            "smallest_gap",
                            "overlaps",
-                           "repulsion_count"};
+                           "repulsion_count",
+                           "turn_max_deg",
+                           "curvature_radius_sites"};
 constexpr std::array stresses{"shear_number_star_traction", "shear_number_star_principal"};
 
+/// A membrane that has turned by less has not begun to tread: cells that keep to mid-channel drift
+/// by some thousandths of a turn.
+constexpr double fewest_turns = 0.02;
+
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-/// Mean and spread of the numbers that are numbers: a measure that is not defined at some look is
-/// left out there.
-struct Sample {
-    std::vector<double> values;
-
-    void add(double value) {
-        if (std::isfinite(value)) values.push_back(value);
-    }
-    double mean() const {
-        if (values.empty()) return none;
-        double sum = 0.0;
-        for (const double value : values) sum += value;
-        return sum / static_cast<double>(values.size());
-    }
-    /// With n − 1; not defined for fewer than two.
-    double deviation() const {
-        if (values.size() < 2) return none;
-        const double centre = mean();
-        double sum = 0.0;
-        for (const double value : values) sum += (value - centre) * (value - centre);
-        return std::sqrt(sum / static_cast<double>(values.size() - 1));
-    }
-    double smallest() const {
-        return values.empty() ? none : *std::min_element(values.begin(), values.end());
-    }
-    double largest() const {
-        return values.empty() ? none : *std::max_element(values.begin(), values.end());
-    }
-};
 
 /// NaN is not JSON.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json quantity(const Sample& all, const Sample& over_time, const Sample* over_cells,
-              const SummaryInput& input, const std::string& unit) {
-    return Json{{"mean", number(all.mean())},
-                {"sd_time", number(over_time.deviation())},
-                {"sd_cells", over_cells ? number(over_cells->deviation()) : Json(nullptr)},
-                {"min", number(all.smallest())},
-                {"max", number(all.largest())},
-                {"window", {input.average_from.si, input.average_to.si}},
-                {"unit", unit}};
+/// Why a quantity may have no value.
+std::string reason_for(std::string_view name, bool rows, bool cells) {
+    const auto starts = [&](std::string_view start) {
+        return name.substr(0, start.size()) == start;
+    };
+    if (!rows) return "no row of the tables lies in the averaging window";
+    if (name == "shear_number") return "no cells, or nothing that drives the flow";
+    if (starts("mu_")) return "nothing drives the flow, or nothing flows";
+    if (!cells) return "there are no cells";
+    if (name == period)
+        return "no cell turned its membrane by a fiftieth of a turn at an inclination that it kept";
+    if (starts("cfl_")) return "there are no walls";
+    if (name == "hematocrit_discharge") return "no mean flow carries the cells";
+    if (name == "smallest_gap") return "no two cells were within the reach of contact forces";
+    if (name == "inclination_deg") return "the cells are circles, which have no long axis";
+    return "it was not defined at any row in the averaging window";
 }
 
-bool in_window(double time, const SummaryInput& input) {
-    // Times are steps · dt: the last one may exceed the end by rounding, and must not fall out.
-    const double slack = 1e-9 * std::abs(input.average_to.si);
-    return time >= input.average_from.si - slack && time <= input.average_to.si + slack;
+/// `{value, unit}`, and the reason where there is no value.
+Json entry(double value, const std::string& unit, const std::string& reason = "") {
+    Json json{{"value", number(value)}, {"unit", unit}};
+    if (!std::isfinite(value) && !reason.empty()) json["reason"] = reason;
+    return json;
 }
 
-Json of_run(const Table& series, const std::string& name, const SummaryInput& input) {
-    Sample sample;
-    const auto& time = series.column("time");
-    const auto& column = series.column(name);
-    for (std::size_t k = 0; k < column.size(); ++k) {
-        if (in_window(time[k], input)) sample.add(column[k]);
-    }
-    return quantity(sample, sample, nullptr, input, series.unit(name));
-}
-
-/// The column `name` of cells.csv in the window, sorted by look and by cell.
-struct CellSamples {
-    Sample all;
-    Sample look_means;
-    std::vector<Sample> cells;
+/// The column `name` of a table in the window: all values, the means of its looks, those of each
+/// cell where it is a table of cells.
+struct Samples {
+    std::vector<double> all, look_means;
+    std::vector<std::vector<double>> cells;
 };
 
-CellSamples gather(const Table& cells, const std::string& name, const SummaryInput& input) {
-    CellSamples result;
-    const auto& time = cells.column("time");
-    const auto& cell = cells.column("cell");
-    const auto& column = cells.column(name);
-    Sample look;
+Samples gather(const Table& table, const std::vector<double>& column, const SummaryInput& input) {
+    Samples result;
+    const auto& time = table.column("time");
+    const std::vector<double>* const cell = table.has("cell") ? &table.column("cell") : nullptr;
+    std::vector<double> look;
     for (std::size_t k = 0; k < column.size(); ++k) {
-        if (!in_window(time[k], input)) continue;
-        result.all.add(column[k]);
-        look.add(column[k]);
-        const auto number = static_cast<std::size_t>(cell[k]);
-        if (result.cells.size() <= number) result.cells.resize(number + 1);
-        result.cells[number].add(column[k]);
+        if (!input.window.holds(time[k])) continue;
+        result.all.push_back(column[k]);
+        look.push_back(column[k]);
+        if (cell) {
+            const auto number = static_cast<std::size_t>((*cell)[k]);
+            if (result.cells.size() <= number) result.cells.resize(number + 1);
+            result.cells[number].push_back(column[k]);
+        }
         if (k + 1 == column.size() || time[k + 1] != time[k]) {
-            result.look_means.add(look.mean());
-            look.values.clear();
+            result.look_means.push_back(window_statistics(look).mean);
+            look.clear();
         }
     }
     return result;
 }
 
-Json of_cells(const Table& cells, const std::string& name, const SummaryInput& input) {
-    const CellSamples samples = gather(cells, name, input);
-    Sample means;
-    for (const Sample& cell : samples.cells) means.add(cell.mean());
-    return quantity(samples.all, samples.look_means, &means, input, cells.unit(name));
+Json averaged(const std::string& name, const Samples& samples, const std::string& unit, bool cells,
+              const SummaryInput& input) {
+    const WindowStatistics all = window_statistics(samples.all);
+    const WindowStatistics looks = window_statistics(samples.look_means);
+    std::vector<double> of_cells;
+    for (const auto& cell : samples.cells) of_cells.push_back(window_statistics(cell).mean);
+    const double interval =
+        looks.samples > 1 ? input.window.length() / static_cast<double>(looks.samples - 1) : none;
+    Json json = entry(all.mean, unit, reason_for(name, !samples.all.empty(), cells));
+    json["mean"] = number(all.mean);
+    json["standard_error"] = number(looks.standard_error);
+    json["sd_time"] = number(looks.sd);
+    json["sd_cells"] = number(window_statistics(of_cells).sd);
+    json["min"] = number(all.smallest);
+    json["max"] = number(all.largest);
+    json["samples"] = looks.samples;
+    json["effective_samples"] = number(looks.effective_samples);
+    json["correlation_time"] = number(looks.correlation_time * interval);
+    json["window"] = {input.window.from.si, input.window.to.si};
+    return json;
 }
 
-Json tank_treading(const Table& cells, const SummaryInput& input) {
-    Sample periods;
-    for (const Sample& cell : gather(cells, "phase_rate", input).cells) {
-        periods.add(std::abs(input.shear_rate.si) * 2.0 * std::numbers::pi / std::abs(cell.mean()));
+/// Inclinations as if all cells were in the lower half of a channel, each within 90° of the axis
+/// they have in the mean: an axis has no head, and −89° is beside 89°.
+std::vector<double> inclinations(const Table& cells, const SummaryInput& input) {
+    std::vector<double> angles = cells.column("inclination_deg");
+    const auto& y = cells.column("y");
+    const auto& time = cells.column("time");
+    constexpr double doubled = std::numbers::pi / 90.0;
+    double sine = 0.0, cosine = 0.0;
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+        angles[k] = mirrored_inclination(angles[k], y[k], input.mirror_height.si);
+        if (!input.window.holds(time[k]) || !std::isfinite(angles[k])) continue;
+        sine += std::sin(doubled * angles[k]);
+        cosine += std::cos(doubled * angles[k]);
     }
-    return quantity(periods, Sample{}, &periods, input, "");
+    const double axis = std::atan2(sine, cosine) / doubled;
+    for (double& angle : angles) angle -= 180.0 * std::round((angle - axis) / 180.0);
+    return angles;
 }
 
-Json split(const SessionTimes& session) {
-    if (session.steps == 0) return nullptr;
+/// Did the long axis stay within a quarter turn? A cell that tumbles goes all round.
+bool keeps_its_inclination(const std::vector<double>& angles) {
+    double now = 0.0, low = 0.0, high = 0.0;
+    for (std::size_t k = 1; k < angles.size(); ++k) {
+        const double step = std::remainder(angles[k] - angles[k - 1], 180.0);
+        if (std::isfinite(step)) now += step;
+        low = std::min(low, now);
+        high = std::max(high, now);
+    }
+    return high - low < 90.0;
+}
+
+/// Of each cell that treads.
+Json tank_treading(const Table& cells, const SummaryInput& input) {
+    const Samples rates = gather(cells, cells.column("phase_rate"), input);
+    const Samples angles = gather(cells, cells.column("inclination_deg"), input);
+    Samples periods;
+    for (std::size_t c = 0; c < rates.cells.size(); ++c) {
+        const double rate =
+            std::abs(window_statistics(rates.cells[c]).mean) / (2.0 * std::numbers::pi);
+        if (!(rate * input.window.length() >= fewest_turns)) continue;
+        if (!keeps_its_inclination(angles.cells[c])) continue;
+        periods.cells.push_back({std::abs(input.shear_rate.si) / rate});
+        periods.all.push_back(periods.cells.back().front());
+    }
+    Json json = averaged(std::string(period), periods, "", !rates.cells.empty(), input);
+    if (periods.all.empty() && !rates.all.empty()) json["reason"] = reason_for(period, true, true);
+    json["samples"] = periods.all.size();
+    return json;
+}
+
+Json step_us(const SessionTimes& session) {
+    if (session.steps == 0) {
+        return entry(none, "us", "no step was made in the last session");
+    }
     const double us = 1e6 / static_cast<double>(session.steps);
-    Json split;
+    Json json = entry(us * session.wall_seconds, "us");
     double inside = 0.0;
     for (std::size_t k = 0; k < StepTimes::names.size(); ++k) {
-        split[StepTimes::names[k]] = us * session.pass_seconds[k];
+        json["passes"][StepTimes::names[k]] = us * session.pass_seconds[k];
         inside += session.pass_seconds[k];
     }
-    split["outside"] = us * (session.wall_seconds - inside);
-    return split;
+    json["passes"]["outside"] = us * (session.wall_seconds - inside);
+    return json;
+}
+
+CheckInput check_input(const SummaryInput& input) {
+    CheckInput result;
+    result.dx = input.dx;
+    result.window = input.window;
+    result.channel = std::isfinite(input.mirror_height.si) && input.shear_rate.si != 0.0;
+    result.held_rate = input.held_rate;
+    return result;
 }
 
 template <class Row>
@@ -187,18 +231,27 @@ std::optional<Dimension> summary_dimension(std::string_view name) {
 Json summarise(const std::filesystem::path& results, const SummaryInput& input) {
     const Table series = read_csv(results / "series.csv");
     const Table cells = read_csv(results / "cells.csv");
+    const bool any = cells.rows() > 0;
     Json summary;
-    for (const char* name : shapes) summary[name] = of_cells(cells, name, input);
+    const auto put = [&](const std::string& name, const Table& table,
+                         const std::vector<double>& column) {
+        summary[name] = averaged(name, gather(table, column, input), table.unit(name), any, input);
+    };
+    for (const std::string name : shapes)
+        put(name, cells,
+            name == "inclination_deg" ? inclinations(cells, input) : cells.column(name));
     summary[std::string(period)] = tank_treading(cells, input);
-    for (const char* name : flows) summary[name] = of_run(series, name, input);
-    summary["shear_number"] = input.shear_number ? number(*input.shear_number) : Json(nullptr);
-    for (const char* name : stresses) summary[name] = of_cells(cells, name, input);
-    summary["steps"] = input.steps;
-    summary["threads"] = input.threads;
-    summary["wall_seconds"] = input.wall_seconds;
-    summary["mlups"] = number(input.mlups);
-    summary["cell_steps_per_second"] = number(input.cell_steps_per_second);
-    summary["step_us"] = split(input.session);
+    for (const char* name : flows) put(name, series, series.column(name));
+    summary["shear_number"] =
+        entry(input.shear_number.value_or(none), "", reason_for("shear_number", true, any));
+    for (const char* name : stresses) put(name, cells, cells.column(name));
+    summary["steps"] = entry(static_cast<double>(input.steps), "");
+    summary["threads"] = entry(input.threads, "");
+    summary["wall_seconds"] = entry(input.wall_seconds, "s");
+    summary["mlups"] = entry(input.mlups, "10^6/s");
+    summary["cell_steps_per_second"] = entry(input.cell_steps_per_second, "1/s");
+    summary["step_us"] = step_us(input.session);
+    summary["checks"] = to_json(judge(series, check_input(input)));
     return summary;
 }
 

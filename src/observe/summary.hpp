@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/json.hpp"
+#include "observe/checks.hpp"
 #include "observe/measures.hpp"
 #include "simulation/step_times.hpp"
 
@@ -21,9 +22,12 @@ struct SessionTimes {
 
 /// What summary.json needs beside series.csv and cells.csv.
 struct SummaryInput {
-    Time average_from, average_to;       ///< the averaging window
+    Window window;                       ///< of the averages
+    Length dx;                           ///< site spacing
+    Length mirror_height;                ///< of a channel (observe/run_measures.hpp); else NaN
     Rate shear_rate;                     ///< nominal k
-    std::optional<double> shear_number;  ///< G (Eq. 19), null where it has no meaning
+    Rate held_rate;                      ///< that a controller holds; 0: none
+    std::optional<double> shear_number;  ///< G (Eq. 19); nothing where it has no meaning
     double wall_seconds = 0.0;
     double mlups = 0.0;
     double cell_steps_per_second = 0.0;
@@ -39,12 +43,17 @@ std::vector<std::string_view> summary_quantities();
 std::optional<Dimension> summary_dimension(std::string_view name);
 
 /// What a paper would quote, from the tables alone, so that stopping and resuming changes nothing.
-/// Each quantity is {mean, sd_time, sd_cells, min, max, window, unit}: mean over the window;
-/// sd_time the standard deviation over its looks (of the mean over cells, for a quantity of cells);
-/// sd_cells that over cells of the cells' time means, null for a quantity of the whole run; min and
-/// max over all looks and cells in the window. tank_treading_kT = k · 2π / |mean phase rate| per
-/// cell. `step_us` is the mean time of a step by pass [µs], as thread 0 saw it, and `outside` the
-/// time per step spent on all else: checks, observers, files.
+///
+/// Every entry is an object with `value` and `unit`; a value that is not defined is null, with the
+/// `reason`. Averages over the window have more: `mean` (the value again), its `standard_error`
+/// (observe/windows.hpp), `sd_time`, the standard deviation over the looks (of the mean over cells,
+/// for a quantity of cells), `sd_cells`, that over cells of the cells' time means, `min` and `max`
+/// over all looks and cells, `samples`, `effective_samples`, `correlation_time` [s], `window` [s].
+///
+/// tank_treading_kT = k · 2π / |mean phase rate| of each cell that treads: its membrane makes at
+/// least a fiftieth of a turn in the window, and its long axis stays within a quarter turn.
+/// `step_us` is the mean time of a step; its `passes` are as thread 0 saw them, `outside` the time
+/// spent on all else: checks, observers, files. `checks` is the list of observe/checks.hpp.
 Json summarise(const std::filesystem::path& results, const SummaryInput& input);
 
 }  // namespace tt

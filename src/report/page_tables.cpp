@@ -23,9 +23,10 @@ std::string meaning_of(const std::string& name) {
     return meaning;
 }
 
+/// Mean ± standard error, where that is known.
 std::string mean_text(const SummaryLine& line) {
     const double factor = display_unit(line.unit).factor;
-    return with_scatter(line.mean * factor, line.sd_time * factor);
+    return with_scatter(line.mean * factor, line.standard_error * factor);
 }
 
 std::string window_text(const Results& run) {
@@ -42,17 +43,21 @@ const SummaryLine* find(const Results& run, const std::string& name) {
 
 std::string summary_of_one(const Results& run) {
     HtmlTable table("Means over " + window_text(run) +
-                        " ± standard deviation over time; then the standard deviation over cells "
-                        "of each cell's mean.",
+                        " ± their standard error by batch means; the standard deviation over "
+                        "time, and that over cells of each cell's mean.",
                     {{"quantity", ""},
                      {"unit", ""},
-                     {"mean ± sd in time", "number"},
+                     {"mean ± error", "number"},
+                     {"sd in time", "number"},
                      {"sd over cells", "number"},
                      {"meaning", "meaning"}});
     for (const SummaryLine& line : run.quantities) {
         const DisplayUnit unit = display_unit(line.unit);
+        std::string meaning = meaning_of(line.name);
+        if (!line.reason.empty()) meaning += ". Not defined: " + line.reason;
         table.add_row({line.name, unit.name, mean_text(line),
-                       number_text(line.sd_cells * unit.factor, 2), meaning_of(line.name)});
+                       number_text(line.sd_time * unit.factor, 2),
+                       number_text(line.sd_cells * unit.factor, 2), meaning});
     }
     return table.text();
 }
@@ -70,7 +75,7 @@ std::vector<SummaryLine> all_quantities(std::span<const Results> runs) {
 std::string summary_of_many(std::span<const Results> runs, const std::vector<std::string>& labels) {
     std::vector<HtmlTable::Column> columns{{"quantity", ""}, {"unit", ""}};
     for (const std::string& label : labels) columns.push_back({label, "number"});
-    HtmlTable table("Means over each run's window ± standard deviation over time.", columns);
+    HtmlTable table("Means over each run's window ± their standard error by batch means.", columns);
 
     std::vector<std::string> windows{"window", ""};
     for (const Results& run : runs) windows.push_back(window_text(run));
@@ -86,9 +91,9 @@ std::string summary_of_many(std::span<const Results> runs, const std::vector<std
     return table.text();
 }
 
-std::string verdict(const RunCheck& check) {
-    if (check.worst.empty()) return "not recorded";
-    return check.raised ? "look: " + check.meaning : "in order";
+std::string verdict(const Check& check) {
+    if (check.verdict == Check::Verdict::ok) return "ok";
+    return check.verdict == Check::Verdict::failed ? "FAILED" : "warning";
 }
 
 std::string value_text(const Json& value) {
@@ -119,14 +124,13 @@ std::string summary_section(std::span<const Results> runs, const std::vector<std
 std::string checks_section(std::span<const Results> runs, const std::vector<std::string>& labels) {
     std::string text = "<h2>Checks</h2>\n";
     for (std::size_t r = 0; r < runs.size(); ++r) {
-        const std::string whose = runs.size() == 1 ? "Worst" : labels[r] + ": worst";
-        HtmlTable table(whose + " over the whole run.",
-                        {{"check", ""}, {"worst", ""}, {"limit", ""}, {"verdict", "meaning"}});
-        for (const RunCheck& check : checks(runs[r])) {
-            table.add_row({check.name, check.worst, check.limit, verdict(check)},
-                          check.raised ? "raised" : "");
+        HtmlTable table(runs.size() == 1 ? "" : labels[r],
+                        {{"check", ""}, {"verdict", ""}, {"what was found", "meaning"}});
+        for (const Check& check : runs[r].checks) {
+            table.add_row({check.name, verdict(check), check.sentence},
+                          check.verdict == Check::Verdict::ok ? "" : "raised");
         }
-        text += table.text();
+        text += runs[r].checks.empty() ? "<p>Nothing to judge yet.</p>\n" : table.text();
     }
     return text;
 }

@@ -58,20 +58,18 @@ double number_or_nan(const Json& object, const char* key) {
     return object.contains(key) && object[key].is_number() ? object[key].get<double>() : nan;
 }
 
-/// Gathers every {mean, sd_time, sd_cells, window, unit} of the summary, whatever group it stands
-/// in.
+std::string text_or_nothing(const Json& object, const char* key) {
+    return object.contains(key) && object[key].is_string() ? object[key].get<std::string>() : "";
+}
+
+/// Gathers every average of the summary.
 void gather(const Json& json, Results& results) {
     for (const auto& [name, value] : json.items()) {
-        if (!value.is_object()) continue;
-        if (!value.contains("mean")) {
-            gather(value, results);
-            continue;
-        }
-        std::string unit = value.value("unit", "");
-        if (unit == "1") unit.clear();
-        results.quantities.push_back({name, unit, number_or_nan(value, "mean"),
-                                      number_or_nan(value, "sd_time"),
-                                      number_or_nan(value, "sd_cells")});
+        if (!value.is_object() || !value.contains("mean")) continue;
+        results.quantities.push_back(
+            {name, text_or_nothing(value, "unit"), number_or_nan(value, "mean"),
+             number_or_nan(value, "standard_error"), number_or_nan(value, "sd_time"),
+             number_or_nan(value, "sd_cells"), text_or_nothing(value, "reason")});
         const auto window = value.find("window");
         if (window == value.end() || !window->is_array() || window->size() != 2) continue;
         if (!(*window)[0].is_number() || !(*window)[1].is_number()) continue;
@@ -110,6 +108,7 @@ Results read_results(const fs::path& directory) {
     r.provenance = json_if_there(directory / "PROVENANCE.json");
     r.summary = json_if_there(directory / "summary.json");
     gather(r.summary, r);
+    r.checks = read_checks(directory);
     r.series = table_if_there(directory / "series.csv");
     r.cells = table_if_there(directory / "cells.csv");
     r.profiles = table_if_there(directory / "profiles.csv");

@@ -9,6 +9,7 @@
 #include "io/csv.hpp"
 #include "io/frames.hpp"
 #include "io/json.hpp"
+#include "observe/checks.hpp"
 
 namespace tt {
 
@@ -17,7 +18,9 @@ struct SummaryLine {
     std::string name;
     std::string unit;  ///< empty: dimensionless
     double mean = 0.0;
+    double standard_error = 0.0;           ///< NaN where it is not known
     double sd_time = 0.0, sd_cells = 0.0;  ///< NaN where it does not apply
+    std::string reason;                    ///< why there is no mean
 };
 
 /// A results directory as a reader meets it. A run that is not finished, or was killed, lacks some
@@ -28,7 +31,8 @@ struct Results {
     std::map<std::string, std::string>
         settings;  ///< "flow.drive" → "shear"; from resolved.toml, else case.toml
     Json status, provenance, summary;
-    std::vector<SummaryLine> quantities;          ///< of the summary, in its order
+    std::vector<Check> checks;
+    std::vector<SummaryLine> quantities;          ///< averages of the summary, in its order
     double window_begin = 0.0, window_end = 0.0;  ///< of averaging [s]; equal: none
     Table series, cells, profiles;
     std::shared_ptr<const FramesReader> frames;   ///< nullptr: no frames.h5

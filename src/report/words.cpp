@@ -114,52 +114,6 @@ std::string with_minus(std::string text) {
     return text;
 }
 
-double site_spacing(const Results& run) {
-    return run.frames ? run.frames->header().dx : setting_si(run.setting("numerics.dx"));
-}
-
-double largest(const std::vector<double>& series) {
-    double worst = -1.0;
-    for (const double value : series)
-        if (std::isfinite(value)) worst = std::max(worst, std::abs(value));
-    return worst;
-}
-
-RunCheck at_most(const Results& run, const std::string& name, const std::string& column,
-                 double limit, const std::string& meaning) {
-    RunCheck check{name, "", limit == 0.0 ? "none" : "≤ " + number_text(limit, 2), false, meaning};
-    const std::vector<double>& series = values(run.series, column);
-    if (series.empty()) return check;
-    const double worst = std::max(largest(series), 0.0);
-    check.worst = number_text(worst, 3);
-    check.raised = worst > limit;
-    return check;
-}
-
-RunCheck gap_check(const Results& run) {
-    RunCheck check{"smallest gap between cells", "not measured", "≥ one site spacing", false,
-                   "thinner films of plasma than the lattice resolves: forces and friction in them "
-                   "are not to be trusted"};
-    const std::vector<double>& gaps = values(run.series, "smallest_gap");
-    const double spacing = site_spacing(run);
-    double smallest = std::numeric_limits<double>::infinity();
-    std::size_t looks = 0, below = 0;
-    for (const double gap : gaps) {
-        if (!std::isfinite(gap)) continue;
-        ++looks;
-        if (gap < spacing) ++below;
-        smallest = std::min(smallest, gap);
-    }
-    if (looks == 0 || !std::isfinite(spacing)) return check;
-    check.limit = fmt::format("≥ {} µm (site spacing)", number_text(spacing * 1e6, 3));
-    check.worst = fmt::format("{} µm", number_text(smallest * 1e6, 3));
-    check.raised = below > 0;
-    if (below > 0)
-        check.worst += fmt::format(", below in {:.0f} % of looks",
-                                   100.0 * static_cast<double>(below) / static_cast<double>(looks));
-    return check;
-}
-
 }  // namespace
 
 std::string case_in_words(const Results& run) {
@@ -171,21 +125,6 @@ std::string case_in_words(const Results& run) {
          {flow_words(run), cells_words(run), membrane_words(run), grid_words(run)})
         if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
     return text;
-}
-
-std::vector<RunCheck> checks(const Results& run) {
-    return {
-        at_most(run, "nodes inside another cell", "overlaps", 0.0,
-                "cells overlapped: the contact model did not keep them apart"),
-        gap_check(run),
-        at_most(run, "largest area error", "area_error_max", 1e-3,
-                "cells gained or lost area; a larger area stiffness or a finer lattice keeps it"),
-        at_most(run, "largest Mach number", "mach", 0.1,
-                "the flow is too fast for the lattice: compressibility shows; a smaller time step "
-                "cures it"),
-        at_most(
-            run, "node-steps of short-range repulsion", "repulsion_count", 0.0,
-            "the short-range repulsion acted: contacts are not those of the contact model alone")};
 }
 
 std::string unfinished_note(const Results& run) {

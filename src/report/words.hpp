@@ -11,19 +11,6 @@ namespace tt {
 /// What was run, in a few sentences from the settings; only what the settings say.
 std::string case_in_words(const Results& run);
 
-/// A guard of the run: its worst value, what it is held against, and whether that is passed.
-struct RunCheck {
-    std::string name;
-    std::string worst;  ///< empty: the run did not record it
-    std::string limit;
-    bool raised = false;
-    std::string meaning;  ///< what a raised check means for the results
-};
-
-/// Overlaps, gaps that the lattice does not resolve, area error, Mach number, short-range
-/// repulsion.
-std::vector<RunCheck> checks(const Results& run);
-
 /// How far the run came, if it is not finished; empty if it is.
 std::string unfinished_note(const Results& run);
 

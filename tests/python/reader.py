@@ -33,6 +33,13 @@ class Reader(unittest.TestCase):
         self.assertEqual(len(run.profiles["y"]), run.grid["ny"])
         self.assertIn("window", run.summary["lambda_C"])
 
+    def test_every_entry_of_the_summary_has_a_value_and_a_unit(self):
+        run = self.invent()
+        for name, entry in run.summary.items():
+            self.assertIn("value", entry, name)
+            self.assertIn("unit", entry, name)
+        self.assertEqual([check["verdict"] for check in run.checks], ["ok"])
+
     def test_frames_have_outlines_in_the_box_and_fields(self):
         run = self.invent("--frames", "3")
         times = []
@@ -53,6 +60,7 @@ class Reader(unittest.TestCase):
         run = self.invent("--stage", "running")
         self.assertEqual(len(run.series), 59)
         self.assertEqual(run.summary, {})
+        self.assertEqual(run.checks, [])
         with self.assertRaises(FileNotFoundError):
             run.profiles
         with self.assertRaises(FileNotFoundError):

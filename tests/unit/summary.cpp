@@ -14,7 +14,11 @@ namespace {
 
 class Summary : public TemporaryDirectory {
 protected:
-    /// Two cells at times 0 … 4 s: λ = 1 + t/10 ± 0.05; phase rates −2 and −4 /s; μ_rel = t.
+    bool tumbles = false;  ///< the second cell
+    double shear_rate = 10.0;
+
+    /// Two cells, one in each half of a channel, at times 0 … 4 s: λ = 1 + t/10 ± 0.05; phase rates
+    /// −2 and −4 /s; inclinations ±(20° + t); μ_rel = t.
     void write_tables() {
         std::string series = csv_header<RunMeasures>();
         std::string cells = csv_header<CellMeasures>();
@@ -30,6 +34,8 @@ protected:
                 cell.cell = c;
                 cell.lambda_C = 1.0 + 0.1 * t + (c == 0 ? -0.05 : 0.05);
                 cell.phase_rate = Rate{c == 0 ? -2.0 : -4.0};
+                cell.y = Length{c == 0 ? 1.0 : 3.0};
+                cell.inclination_deg = c == 0 ? 20.0 + t : tumbles ? 20.0 - 60.0 * t : -20.0 - t;
                 cells += csv_row(cell);
             }
         }
@@ -39,9 +45,9 @@ protected:
     Json summary() {
         write_tables();
         SummaryInput input;
-        input.average_from = Time{2.0};
-        input.average_to = Time{4.0};
-        input.shear_rate = Rate{10.0};
+        input.window = {Time{2.0}, Time{4.0}};
+        input.mirror_height = Length{2.0};
+        input.shear_rate = Rate{shear_rate};
         input.session.steps = 1000;
         input.session.wall_seconds = 1.0;
         input.session.pass_seconds.fill(0.1);
@@ -65,6 +71,59 @@ TEST_F(Summary, the_tank_treading_period_is_that_of_the_mean_rate_of_each_cell) 
     EXPECT_NEAR(period["mean"].get<double>(), 0.5 * (10.0 * 2 * pi / 2 + 10.0 * 2 * pi / 4), 1e-12);
 }
 
+TEST_F(Summary, a_cell_that_tumbles_or_hardly_turns_has_no_period) {
+    const double pi = std::numbers::pi;
+    tumbles = true;
+    EXPECT_NEAR(summary()["tank_treading_kT"]["mean"].get<double>(), 10.0 * 2 * pi / 2, 1e-12);
+    EXPECT_EQ(summary()["tank_treading_kT"]["samples"], 1);
+    write_tables();
+    SummaryInput input;
+    input.window = {Time{4.0 - 1e-3}, Time{4.0}};  // 4 /s for a ms: a thousandth of a turn
+    input.shear_rate = Rate{10.0};
+    const Json period = summarise(directory(), input)["tank_treading_kT"];
+    EXPECT_TRUE(period["value"].is_null());
+    EXPECT_TRUE(period["mean"].is_null());
+    EXPECT_EQ(period["reason"],
+              "no cell turned its membrane by a fiftieth of a turn at an inclination that it kept");
+}
+
+TEST_F(Summary, the_halves_of_a_channel_are_mirrored_so_that_their_inclinations_do_not_cancel) {
+    EXPECT_NEAR(summary()["inclination_deg"]["mean"].get<double>(), 23.0, 1e-12);
+    EXPECT_NEAR(summary()["inclination_deg"]["sd_cells"].get<double>(), 0.0, 1e-12);
+}
+
+TEST_F(Summary, every_entry_has_a_value_with_its_unit_or_a_reason_why_there_is_none) {
+    const Json all = summary();
+    for (const auto& [name, entry] : all.items()) {
+        if (name == "checks") continue;
+        ASSERT_TRUE(entry.contains("value") && entry.contains("unit")) << name;
+        EXPECT_EQ(entry["value"].is_null(), entry.contains("reason")) << name << entry;
+        if (entry.contains("mean")) {
+            EXPECT_EQ(entry["mean"], entry["value"]) << name;
+            EXPECT_TRUE(entry.contains("standard_error")) << name;
+        }
+    }
+    EXPECT_EQ(all["wall_seconds"]["unit"], "s");
+    EXPECT_TRUE(all["checks"].is_array());
+}
+
+TEST_F(Summary, the_standard_error_is_that_of_ten_batches_of_the_looks) {
+    std::string series = csv_header<RunMeasures>();
+    for (int t = 0; t < 40; ++t) {
+        RunMeasures run;
+        run.time = Time{static_cast<double>(t)};
+        run.mu_rel = t % 8 < 4 ? 1.0 : 2.0;  // batches of four looks: 1, 2, 1, 2, …
+        series += csv_row(run);
+    }
+    replace_file(path("series.csv"), series, Durability::process);
+    replace_file(path("cells.csv"), csv_header<CellMeasures>(), Durability::process);
+    SummaryInput input;
+    input.window = {Time{0.0}, Time{39.0}};
+    const Json viscosity = summarise(directory(), input)["mu_rel"];
+    EXPECT_NEAR(viscosity["standard_error"].get<double>(), std::sqrt(2.5 / 9.0 / 10.0), 1e-12);
+    EXPECT_EQ(viscosity["samples"], 40);
+}
+
 TEST_F(Summary, a_measure_that_is_undefined_at_a_look_is_left_out_there) {
     const Json viscosity = summary()["mu_app"];
     EXPECT_NEAR(viscosity["mean"].get<double>(), 2e-3, 1e-15);
@@ -74,7 +133,9 @@ TEST_F(Summary, a_measure_that_is_undefined_at_a_look_is_left_out_there) {
 }
 
 TEST_F(Summary, splits_the_time_of_a_step_over_its_passes_and_what_is_outside_of_them) {
-    const Json split = summary()["step_us"];
+    const Json step = summary()["step_us"];
+    EXPECT_NEAR(step["value"].get<double>(), 1000.0, 1e-9);
+    const Json split = step["passes"];
     for (const char* pass : StepTimes::names) EXPECT_NEAR(split[pass].get<double>(), 100.0, 1e-9);
     EXPECT_NEAR(split["outside"].get<double>(), 1000.0 - 100.0 * StepTimes::names.size(), 1e-9);
 }
