@@ -49,6 +49,20 @@ void print_line(std::string_view label, const std::string& text) {
     fmt::print("  {:<17} {}\n", label, wrapped(text, 79, 20));
 }
 
+/// What the grid must resolve, in sites.
+std::string resolution_text(const Appraisal& a) {
+    std::string text =
+        a.bending_length > 0.0
+            ? fmt::format("bending length sqrt(E_b/E_s) {:.2g} sites", a.bending_length)
+            : std::string("no bending stiffness");
+    if (a.contact_distance > 0.0)
+        text += fmt::format(", contact distance {:.2g} sites", a.contact_distance);
+    return text + fmt::format(
+                      "; the shape at the start turns by {:.2g} deg between segments, "
+                      "radius of curvature {:.2g} sites",
+                      a.start_turn_deg, a.start_radius);
+}
+
 void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
     print_line("grid", fmt::format("{} x {} sites of {}, {} in all", choice.nx, choice.ny,
                                    rounded_text(choice.dx), with_spaces(a.sites)));
@@ -62,6 +76,7 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
                 a.viscosity_ratio));
     else
         print_line("cells", "none");
+    if (a.cells > 0) print_line("resolution", resolution_text(a));
     if (a.cells > 0 && c.cells.outline) print_line("outline", description(*c.cells.outline));
     const StepLimit& limit = choice.limits.front();
     const bool chosen = !c.numerics.dt && !c.numerics.density_scale;
@@ -174,6 +189,10 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
     j["nodes"] = a.nodes;
     j["node_spacing_sites"] = a.node_distance;
     j["radius_sites"] = a.radius_sites;
+    j["bending_length_sites"] = a.bending_length;
+    j["contact_distance_sites"] = a.contact_distance;
+    j["start_turn_deg"] = a.start_turn_deg;
+    j["start_radius_sites"] = a.cells > 0 ? Json(a.start_radius) : Json(nullptr);
     j["hematocrit"] = a.hematocrit;
     j["viscosity_ratio"] = a.viscosity_ratio;
     if (c.cells.outline) j["outline"] = to_json(*c.cells.outline);

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <variant>
 
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "case/plausibility.hpp"
+#include "membrane/outline.hpp"
 #include "membrane/outline_checks.hpp"
 #include "membrane/stability.hpp"
 #include "observe/checks.hpp"
@@ -20,6 +22,21 @@ namespace {
 
 constexpr double mach_limit =
     2.0 * largest_mach;  // beyond, the error of compressibility, of order Ma², passes a tenth
+
+/// What of the membranes the grid must resolve.
+void resolve(const Case& c, const Choice& choice, const Suspension& cells, Appraisal& a) {
+    const double modulus = c.membrane.shear_modulus.si;
+    if (modulus > 0.0)
+        a.bending_length = std::sqrt(c.membrane.bending_modulus.si / modulus) / choice.dx.si;
+    if (c.contact.model == "morse")
+        a.contact_distance = c.contact.zero_force_distance.si / choice.dx.si;
+    a.start_radius = HUGE_VAL;
+    for (int cell = 0; cell < cells.cell_count(); ++cell) {
+        const SharpestBend bend = sharpest_bend(outline(cells, cell));
+        a.start_turn_deg = std::max(a.start_turn_deg, bend.turn * 180.0 / std::numbers::pi);
+        a.start_radius = std::min(a.start_radius, bend.radius);
+    }
+}
 
 void count_all(const Case& c, const Choice& choice, const State& initial, Appraisal& a) {
     const Suspension& cells = initial.cells;
@@ -34,6 +51,7 @@ void count_all(const Case& c, const Choice& choice, const State& initial, Apprai
     a.hematocrit = area / static_cast<double>(a.sites);
     a.radius_sites = std::sqrt(area / a.cells / 3.14159265358979323846);
     a.node_distance = length / a.nodes;
+    resolve(c, choice, cells, a);
     a.viscosity_ratio = c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si;
 }
 
@@ -175,13 +193,33 @@ void advise_on_change(const Case& c, const Choice& choice, const Appraisal& a, A
         "\"incompressible\".");
 }
 
+/// A site spacing [m] to write: at most this, and one that divides the box.
+std::string spacing_text(const Case& c, double most) {
+    return rounded_text(fitting_spacing(c, Length{most}), 7);
+}
+
 void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& a,
                           Adviser& adviser) {
     if (a.cells == 0) return;
     if (a.radius_sites < 9.5)
         adviser.consider("{:.3g} sites to the radius of a cell are few; write dx = \"{}\".",
-                         a.radius_sites,
-                         rounded_text(Length{choice.dx.si * a.radius_sites / 16.0}, 1));
+                         a.radius_sites, spacing_text(c, choice.dx.si * a.radius_sites / 16.0));
+    if (a.start_turn_deg > largest_turn_deg || a.start_radius < smallest_radius_sites)
+        adviser.consider(
+            "The shape at the start is not resolved: it turns by {:.0f} degrees between segments, "
+            "radius of curvature {:.2g} sites. Write dx = \"{}\".",
+            a.start_turn_deg, a.start_radius,
+            spacing_text(c, choice.dx.si * std::min(0.5 * largest_turn_deg / a.start_turn_deg,
+                                                    0.5 * a.start_radius / smallest_radius_sites)));
+    // A membrane under the compression E_s, the most that it takes, buckles at the wavelength
+    // 2π √(E_b/E_s): four segments to it (docs/decisions/0011-checks.md).
+    constexpr double shortest = 2.0 / std::numbers::pi;
+    const bool moves = choice.shear_rate.si > 0.0 && c.membrane.law != "surface-tension";
+    if (moves && a.bending_length > 0.0 && a.bending_length < shortest)
+        adviser.consider(
+            "The bending length sqrt(E_b/E_s) is {:.2g} sites: a membrane that the flow compresses "
+            "buckles below the grid and crumples. Write dx = \"{}\".",
+            a.bending_length, spacing_text(c, choice.dx.si * a.bending_length / shortest));
     if (a.node_distance < 0.35 || a.node_distance > 1.5)
         adviser.consider(
             "Nodes {:.2g} sites apart; between 0.35 and 1.5 the result does not depend on it. "
@@ -206,13 +244,11 @@ void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& 
                 "to the radius, D was 9 to 24 % high.",
                 a.viscosity_ratio);
     }
-    if (c.contact.model == "morse" && a.cells > 1 &&
-        c.contact.zero_force_distance.si < 1.5 * choice.dx.si)
+    if (a.contact_distance > 0.0 && a.cells > 1 && a.contact_distance < 1.5)
         adviser.consider(
             "zero_force_distance is {:.2g} sites, so gaps between cells are not resolved; write dx "
             "= \"{}\".",
-            c.contact.zero_force_distance.si / choice.dx.si,
-            rounded_text(Length{c.contact.zero_force_distance.si / 2.0}, 1));
+            a.contact_distance, spacing_text(c, 0.5 * c.contact.zero_force_distance.si));
 }
 
 void advise_on_outline(const Case& c, const State& initial, Adviser& adviser) {

@@ -35,6 +35,10 @@ struct Appraisal {
     double radius_sites = 0.0;   ///< radius of a cell
     double node_distance = 0.0;  ///< mean, in sites
     double hematocrit = 0.0, viscosity_ratio = 1.0;
+    double bending_length = 0.0;    ///< √(E_b/E_s), in sites
+    double contact_distance = 0.0;  ///< of zero force, in sites; 0: no contact model
+    double start_turn_deg = 0.0;    ///< largest between neighbouring segments of the first shapes
+    double start_radius = 0.0;      ///< their smallest radius of curvature, in sites
     double tau_plasma = 0.0, tau_cytoplasm = 0.0;
     double shear_number = 0.0;       ///< G = μ k a / E_s (Eq. 19)
     double cell_reynolds = 0.0;      ///< ρ k a² / μ, physical

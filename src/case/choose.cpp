@@ -13,6 +13,15 @@
 namespace tt {
 namespace {
 
+/// Rows of sites, from `fewest` to `most`, that divide the length too into whole sites; 0: none.
+int rows_that_divide(const Case& c, int fewest, int most) {
+    for (int ny = fewest; ny <= most; ++ny) {
+        const double sites = c.domain.length.si / c.domain.width.si * ny;
+        if (std::fabs(sites - std::round(sites)) <= 1e-6 * sites) return ny;
+    }
+    return 0;
+}
+
 /// Sites across the width such that the length is a whole number of sites too, at or just finer
 /// than `dx`.
 void choose_grid(const Case& c, Choice& choice) {
@@ -22,14 +31,10 @@ void choose_grid(const Case& c, Choice& choice) {
                           : c.numerics.fluid_only ? width / 50.0
                                                   : radius / 20.0;
     const int coarsest = std::max(4, static_cast<int>(std::lround(width / wanted)));
-    const int finest = c.numerics.dx ? coarsest : 2 * coarsest;
-    for (int ny = coarsest; ny <= finest; ++ny) {
-        const double sites = length / width * ny;
-        if (std::fabs(sites - std::round(sites)) > 1e-6 * sites) continue;
-        choice.ny = ny;
-        choice.nx = static_cast<int>(std::lround(sites));
-        choice.dx = Length{width / ny};
-        break;
+    choice.ny = rows_that_divide(c, coarsest, c.numerics.dx ? coarsest : 2 * coarsest);
+    if (choice.ny > 0) {
+        choice.nx = static_cast<int>(std::lround(length / width * choice.ny));
+        choice.dx = Length{width / choice.ny};
     }
     const bool divides = std::fabs(choice.dx.si - wanted) <= 1e-6 * wanted;
     if (choice.ny == 0 || (c.numerics.dx && !divides)) {
@@ -174,6 +179,13 @@ void expect_sites(const Choice& choice, double most, const std::string& why) {
                           ? fmt::format("dx = \"{}\"", text(factor * choice.dx.si))
                           : fmt::format("length = \"{}\"",
                                         text(std::floor(most / choice.ny) * choice.dx.si)))}});
+}
+
+Length fitting_spacing(const Case& c, Length most) {
+    const double width = c.domain.width.si;
+    const int fewest = std::max(4, static_cast<int>(std::ceil(width / most.si * (1.0 - 1e-9))));
+    const int rows = rows_that_divide(c, fewest, 2 * fewest);
+    return rows > 0 ? Length{width / rows} : most;
 }
 
 Choice choose(const Case& c) {

@@ -43,6 +43,10 @@ struct Choice {
 /// most … ".
 void expect_sites(const Choice& choice, double most, const std::string& why);
 
+/// The largest site spacing not above `most` that divides width and length into whole sites; `most`
+/// itself where none within a factor of two does.
+Length fitting_spacing(const Case& c, Length most);
+
 /// Decides grid, time step, relaxation time and density scale. Whatever the case states is kept; of
 /// Δt, τ and S the third follows from two by ν = μ/(S ρ) = (τ − ½)/3 · Δx²/Δt. Throws CaseError
 /// where the statements contradict.

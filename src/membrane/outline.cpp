@@ -127,6 +127,15 @@ double turn(const Outline& outline, int node) {
     return std::atan2(cross(before, after), dot(before, after));
 }
 
+SharpestBend sharpest_bend(const Outline& outline) {
+    double turned = 0.0, sharpest = 0.0;
+    for (int k = 0; k < outline.size(); ++k) {
+        turned = std::max(turned, std::abs(turn(outline, k)));
+        sharpest = std::max(sharpest, std::abs(curvature(outline, k)));
+    }
+    return {turned, 1.0 / sharpest};
+}
+
 Vec2 outward_normal(const Outline& outline, int node) {
     const Vec2 chord = outline[next(outline, node)] - outline[previous(outline, node)];
     return turned_right(chord) / norm(chord);

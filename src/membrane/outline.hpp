@@ -66,6 +66,13 @@ double curvature(const Outline& outline, int node);
 /// Turn from the segment before node k to the one after it, in [−π, π], positive where convex.
 double turn(const Outline& outline, int node);
 
+/// How sharply the outline bends at the most: what a grid must resolve.
+struct SharpestBend {
+    double turn = 0.0;    ///< largest |turn|
+    double radius = 0.0;  ///< smallest radius of curvature
+};
+SharpestBend sharpest_bend(const Outline& outline);
+
 /// Unit outward normal at node k, perpendicular to the chord between its neighbours.
 Vec2 outward_normal(const Outline& outline, int node);
 

@@ -78,17 +78,6 @@ void measure_stretch(const Suspension& cells, int cell, CellMeasures& m) {
     }
 }
 
-/// How sharply the polygon bends, against what a grid resolves.
-void measure_bends(const Outline& shape, CellMeasures& m) {
-    double sharpest = 0.0, turned = 0.0;
-    for (int k = 0; k < shape.size(); ++k) {
-        sharpest = std::max(sharpest, std::abs(curvature(shape, k)));
-        turned = std::max(turned, std::abs(turn(shape, k)));
-    }
-    m.turn_max_deg = turned * 180.0 / std::numbers::pi;
-    m.curvature_radius_sites = 1.0 / sharpest;
-}
-
 /// Eq. 24, G* = τ_max L_C / E_s, with E_s the shear modulus of the in-plane law as it stands in Eq.
 /// 10 (small-strain slope 3 E_s). A pure number, so lattice units serve.
 void measure_stress(const Model& model, const State& state, const PlasmaMap& plasma, int cell,
@@ -120,7 +109,9 @@ CellMeasures measure_cell(const Model& model, const State& state, const PlasmaMa
     measure_place(model, state, cell, moments, m);
     measure_shape(model.scales, state.cells, cell, moments, m);
     measure_stretch(state.cells, cell, m);
-    measure_bends(outline(state.cells, cell), m);
+    const SharpestBend bend = sharpest_bend(outline(state.cells, cell));
+    m.turn_max_deg = bend.turn * 180.0 / std::numbers::pi;
+    m.curvature_radius_sites = bend.radius;
     measure_stress(model, state, plasma, cell, m);
     return m;
 }
