@@ -74,6 +74,9 @@ void finish(const LineFigure& figure, const fs::path& out, std::vector<Figure>& 
     drawn.push_back({figure.name, figure.caption});
 }
 
+/// Dashes mean plasma alone up to so many runs; of more they tell the runs apart.
+constexpr std::size_t most_with_plasma = 4;
+
 void draw_velocity(std::span<const Results> runs, const fs::path& out, std::vector<Figure>& drawn) {
     const VelocityUnit unit = velocity_unit(runs);
     LineFigure figure = across(runs, "velocity_profile", "velocity [" + unit.name + "]");
@@ -88,7 +91,7 @@ void draw_velocity(std::span<const Results> runs, const fs::path& out, std::vect
                                  fmt::format("using 1:2 with lines linetype {}", r + 1),
                                  {u, y}});
         const Column plasma = scaled(profile_of_plasma(runs[r]), unit.per_si);
-        if (plasma.empty()) continue;
+        if (plasma.empty() || runs.size() > most_with_plasma) continue;
         const std::string dashed = single ? "linetype 7" : fmt::format("linetype {}", r + 1);
         const std::string title =
             runs[r].setting("flow.drive") == "shear" ? "Couette flow" : "Poiseuille, same flux";
@@ -96,11 +99,13 @@ void draw_velocity(std::span<const Results> runs, const fs::path& out, std::vect
                                  "using 1:2 with lines " + dashed + " dashtype 2 lw 1.1",
                                  {plasma, y}});
     }
-    figure.caption =
-        "Velocity along the channel, averaged over its length and over the window. Dashed: the "
-        "flow of plasma alone "
-        "with the same flux.";
-    figure.commands.push_back("set key outside top center horizontal samplen 1.2");
+    figure.caption = "Velocity along the channel, averaged over its length and over the window.";
+    if (runs.size() <= most_with_plasma)
+        figure.caption += " Dashed: the flow of plasma alone with the same flux.";
+    if (single)
+        figure.commands.push_back("set key outside top center horizontal samplen 1.2");
+    else
+        key_below(figure, runs.size());
     finish(figure, out, drawn);
 }
 
@@ -146,7 +151,7 @@ void draw_hematocrit(std::span<const Results> runs, const fs::path& out,
         figure.caption +=
             " Shaded: the cell-free layers, wall to where the profile reaches half its maximum.";
     } else {
-        figure.commands.push_back("set key outside top center horizontal samplen 1.2");
+        key_below(figure, runs.size());
     }
     finish(figure, out, drawn);
 }

@@ -47,6 +47,7 @@ LineFigure over_time(const TimePlots& plots, const std::string& name, const std:
     figure.commands = {
         "set xlabel \"time [" + plots.unit.name + "]\"", "set ylabel \"" + y_label + "\"",
         fmt::format("set xrange [0:{:.6g}]", longest_time(plots.runs) * plots.unit.per_second)};
+    if (!plots.single()) key_below(figure, plots.runs.size());
     const Results& run = plots.runs.front();
     if (plots.single() && run.window_end > run.window_begin)
         figure.commands.push_back(fmt::format(
@@ -105,15 +106,21 @@ void add_column(LineFigure& figure, const TimePlots& plots, const std::string& c
     figure.column_names.push_back(column);
 }
 
+/// More bands than these hide each other.
+constexpr std::size_t most_bands = 4;
+
 /// Mean ± standard deviation over cells as a band; each cell thin when there is one run.
 LineFigure stretch_figure(const TimePlots& plots) {
     LineFigure figure = over_time(plots, "lambda_C", "perimeter extension ratio {/:Italic λ}_C");
     figure.caption =
-        "Perimeter extension ratio λ_C over time: mean over cells (thick) ± standard deviation "
-        "(band)" +
-        std::string(plots.single() ? ", each cell thin." : ".") + window_note(plots);
-    figure.commands.push_back("set key bottom right");
-    for (std::size_t r = 0; r < plots.runs.size(); ++r) {
+        "Perimeter extension ratio λ_C over time: mean over cells" +
+        std::string(plots.single() ? " (thick) ± standard deviation (band), each cell thin."
+                    : plots.runs.size() <= most_bands ? " ± standard deviation (band)."
+                                                      : ".") +
+        window_note(plots);
+    if (plots.single()) figure.commands.push_back("set key bottom right");
+    const std::size_t bands = plots.runs.size() > most_bands ? 0 : plots.runs.size();
+    for (std::size_t r = 0; r < bands; ++r) {
         const Column time = times(plots.runs[r], plots.unit);
         const Column& mean = values(plots.runs[r].series, "lambda_C");
         const Column& sd = values(plots.runs[r].series, "lambda_C_sd");
@@ -148,7 +155,7 @@ LineFigure deformation_figure(const TimePlots& plots) {
         std::string(plots.single() ? ", by the inertia-equivalent ellipse and by the extreme radii."
                                    : ", by the inertia-equivalent ellipse.") +
         window_note(plots);
-    figure.commands.push_back("set key bottom right");
+    if (plots.single()) figure.commands.push_back("set key bottom right");
     add_column(figure, plots, "taylor_inertia", "inertia ellipse", 1.0, 1);
     if (plots.single()) add_column(figure, plots, "taylor_extent", "extreme radii", 1.0, 2);
     return figure;
@@ -159,8 +166,8 @@ LineFigure inclination_figure(const TimePlots& plots) {
     figure.caption = "Inclination of the long axis to the flow, mean over cells" +
                      std::string(plots.single() ? " (thick), each cell thin." : ".") +
                      window_note(plots);
-    figure.commands.push_back("set key outside top center horizontal samplen 1.2");
     if (plots.single()) {
+        figure.commands.push_back("set key outside top center horizontal samplen 1.2");
         auto [time, value] = cell_curves(plots.runs[0], "inclination_deg", plots.unit.per_second);
         // A long axis that turns past 90° reappears at −90°: break the line there.
         for (std::size_t k = value.size(); k-- > 1;)
@@ -189,8 +196,7 @@ LineFigure area_figure(const TimePlots& plots) {
     for (Curve& curve : figure.curves)
         for (double& value : curve.columns[1])  // round-off before the first step is no error
             value = std::abs(value) < 1e-12 ? nan : std::abs(value);
-    figure.commands.insert(figure.commands.end(),
-                           {"set logscale y", "set format y \"10^{%L}\"", "set key bottom right"});
+    figure.commands.insert(figure.commands.end(), {"set logscale y", "set format y \"10^{%L}\""});
     return figure;
 }
 

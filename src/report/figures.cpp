@@ -19,6 +19,11 @@ std::vector<std::string> run_labels(std::span<const Results> runs) {
     return labels;
 }
 
+void key_below(LineFigure& figure, std::size_t runs) {
+    figure.key_rows = static_cast<int>(runs + 1) / 2;
+    figure.commands.push_back("set key outside bottom center horizontal maxcols 2 samplen 1.8");
+}
+
 TimeUnit time_unit(double longest) {
     if (longest >= 1.0) return {1.0, "s"};
     if (longest >= 1e-3) return {1e3, "ms"};

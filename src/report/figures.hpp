@@ -41,6 +41,10 @@ void draw_profiles(std::span<const Results> runs, const std::filesystem::path& o
 /// What each run is called in keys and tables: its name, with its directory where names repeat.
 std::vector<std::string> run_labels(std::span<const Results> runs);
 
+/// Puts the key of several runs below the figure, two in a row: over the curves, or beside them, it
+/// would hide or squeeze them.
+void key_below(LineFigure& figure, std::size_t runs);
+
 /// A unit of time that makes `longest` [s] a number between 1 and 1000.
 struct TimeUnit {
     double per_second;

@@ -46,11 +46,19 @@ void execute(const fs::path& out, const std::string& name) {
     fs::remove(out / log);
 }
 
+/// Names come from files: whatever could end a line is a space.
+std::string one_line(std::string_view text) {
+    std::string line(text);
+    for (char& c : line)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+    return line;
+}
+
 std::string data_text(const LineFigure& figure) {
     std::string text = "# columns: " + fmt::format("{}\n", fmt::join(figure.column_names, ", "));
     for (const Curve& curve : figure.curves) {
         if (!has_points(curve)) continue;
-        text += fmt::format("# {}\n", curve.title.empty() ? "untitled" : curve.title);
+        text += fmt::format("# {}\n", curve.title.empty() ? "untitled" : one_line(curve.title));
         for (std::size_t row = 0; row < curve.columns.front().size(); ++row) {
             for (std::size_t c = 0; c < curve.columns.size(); ++c)
                 text += fmt::format("{}{:.7g}", c ? " " : "", curve.columns[c][row]);
@@ -72,9 +80,9 @@ bool has_points(const LineFigure& figure) {
 
 std::string gnuplot_string(std::string_view text) {
     std::string result = "'";
-    for (const char c : text) {
+    for (const char c : one_line(text)) {
         if (c == '\'') result += '\'';
-        result += c == '\n' ? ' ' : c;
+        result += c;
     }
     return result + "'";
 }
@@ -106,7 +114,8 @@ void draw(const LineFigure& figure, const fs::path& out) {
                             figure.name, index, curve.style, title);
         ++index;
     }
-    run_gnuplot(out, figure.name, body, 340, 240);
+    constexpr int row = 14;
+    run_gnuplot(out, figure.name, body, 340, 240 + row * figure.key_rows);
 }
 
 }  // namespace tt

@@ -27,6 +27,7 @@ struct LineFigure {
     std::vector<std::string> column_names;  ///< with units, for the head of the data file
     std::vector<std::string> commands;  ///< gnuplot commands before the plot: labels, ranges, marks
     std::vector<Curve> curves;
+    int key_rows = 0;  ///< of a key below the figure, which grows by them; 0: no such key
 };
 
 /// Whether figures can be drawn here; else `no_gnuplot` says why, and what to do.

@@ -24,6 +24,8 @@ std::string html(std::string_view text) {
             result += "&gt;";
         else if (c == '"')
             result += "&quot;";
+        else if (c == '\'')
+            result += "&#39;";
         else
             result += c;
     }
@@ -37,7 +39,8 @@ void HtmlTable::add_row(const std::vector<std::string>& texts, std::string_view 
     rows_ +=
         fmt::format("<tr{}><th scope=\"row\">{}</th>", class_attribute(kind), html(texts.front()));
     for (std::size_t c = 1; c < columns_.size(); ++c) {
-        rows_ += fmt::format("<td{}>{}</td>", class_attribute(columns_[c].kind), html(texts[c]));
+        rows_ += fmt::format("<td{} data-label=\"{}\">{}</td>", class_attribute(columns_[c].kind),
+                             html(columns_[c].title), html(texts[c]));
     }
     rows_ += "</tr>\n";
 }

@@ -92,27 +92,42 @@ std::string player_section(const Json& players) {
            "are in frames.h5.</p>\n";
 }
 
+/// A path as a shell and the program take it, whatever it is called.
+std::string shell_word(const std::string& text) {
+    const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               std::string_view("/._-+=:,").find(c) != std::string_view::npos;
+    });
+    const std::string path = text.front() == '-' ? "./" + text : text;
+    if (plain) return path;
+    std::string word = "'";
+    for (const char c : path) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return word + "'";
+}
+
 std::string repeat_section(std::span<const Results> runs) {
     std::string text =
         "<h2>How to repeat</h2>\n<p>resolved.toml holds every setting, defaults included. With the "
         "same version and compiler flags (see provenance) the results come out the same to the "
         "bit, on any number of threads.</p>\n<pre>";
+    std::string again;
     for (const Results& run : runs) {
-        text += html(fmt::format("tanktread run {}/resolved.toml -o {}-again\n",
-                                 run.directory.string(), run.name));
+        const std::string folder = (run.directory / "").parent_path().string();
+        text += html(fmt::format("tanktread run {} -o {}\n", shell_word(folder + "/resolved.toml"),
+                                 shell_word(folder + "-again")));
+        again += ' ' + shell_word(folder + "-again");
     }
-    text += "tanktread report";
-    for (const Results& run : runs) text += fmt::format(" {}", html(run.directory.string()));
-    return text + "</pre>\n";
+    return text + html("tanktread report" + again) + "</pre>\n";
 }
 
-/// What was run, and whether it ended.
+/// What was run, and whether it ended; of several, the first and in what the others differ.
 std::string introduction(std::span<const Results> runs, const std::vector<std::string>& labels) {
-    std::string text;
+    const bool single = runs.size() == 1;
+    std::string text = single ? "" : fmt::format("<p>The first run, {}:</p>\n", html(labels[0]));
+    text += "<p>" + html(case_in_words(runs.front())) + "</p>\n";
+    if (!single) text += differences_section(runs, labels);
     for (std::size_t r = 0; r < runs.size(); ++r) {
-        const std::string name =
-            runs.size() == 1 ? "" : fmt::format("<b>{}</b>: ", html(labels[r]));
-        text += "<p>" + name + html(case_in_words(runs[r])) + "</p>\n";
+        const std::string name = single ? "" : fmt::format("<b>{}</b>: ", html(labels[r]));
         const std::string note = unfinished_note(runs[r]);
         if (!note.empty()) text += "<p class=\"notice\">" + name + html(note) + "</p>\n";
         text += failure_section(runs[r], labels[r]);
@@ -122,6 +137,7 @@ std::string introduction(std::span<const Results> runs, const std::vector<std::s
 
 std::string page_title(const std::vector<std::string>& labels) {
     if (labels.size() == 1) return labels.front();
+    if (labels.size() > 3) return fmt::format("Comparison of {} runs", labels.size());
     return fmt::format("Comparison of {}", fmt::join(labels, ", "));
 }
 

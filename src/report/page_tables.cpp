@@ -1,5 +1,6 @@
 #include "report/page_tables.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -91,6 +92,15 @@ std::string summary_of_many(std::span<const Results> runs, const std::vector<std
     return table.text();
 }
 
+/// Keys of the settings of all runs but their names, each once.
+std::set<std::string> all_settings(std::span<const Results> runs) {
+    std::set<std::string> keys;
+    for (const Results& run : runs)
+        for (const auto& [key, value] : run.settings)
+            if (key != "name") keys.insert(key);
+    return keys;
+}
+
 std::string verdict(const Check& check) {
     if (check.verdict == Check::Verdict::ok) return "ok";
     return check.verdict == Check::Verdict::failed ? "FAILED" : "warning";
@@ -121,17 +131,49 @@ std::string summary_section(std::span<const Results> runs, const std::vector<std
            (runs.size() == 1 ? summary_of_one(runs.front()) : summary_of_many(runs, labels));
 }
 
-std::string checks_section(std::span<const Results> runs, const std::vector<std::string>& labels) {
-    std::string text = "<h2>Checks</h2>\n";
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-        HtmlTable table(runs.size() == 1 ? "" : labels[r],
-                        {{"check", ""}, {"verdict", ""}, {"what was found", "meaning"}});
-        for (const Check& check : runs[r].checks) {
-            table.add_row({check.name, verdict(check), check.sentence},
-                          check.verdict == Check::Verdict::ok ? "" : "raised");
-        }
-        text += runs[r].checks.empty() ? "<p>Nothing to judge yet.</p>\n" : table.text();
+std::string differences_section(std::span<const Results> runs,
+                                const std::vector<std::string>& labels) {
+    std::vector<std::string> keys;
+    for (const std::string& key : all_settings(runs)) {
+        const auto same = [&](const Results& run) {
+            return run.setting(key) == runs.front().setting(key);
+        };
+        if (!std::all_of(runs.begin(), runs.end(), same)) keys.push_back(key);
     }
+    if (keys.empty()) return "<p>All runs have the same settings.</p>\n";
+    std::vector<HtmlTable::Column> columns{{"run", ""}};
+    for (const std::string& key : keys) columns.push_back({key, "number"});
+    HtmlTable table("Settings that differ.", columns);
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        std::vector<std::string> texts{labels[r]};
+        for (const std::string& key : keys) texts.push_back(runs[r].setting(key, "–"));
+        table.add_row(texts);
+    }
+    return table.text();
+}
+
+std::string checks_section(std::span<const Results> runs, const std::vector<std::string>& labels) {
+    const bool single = runs.size() == 1;
+    std::vector<HtmlTable::Column> columns{
+        {"check", ""}, {"verdict", ""}, {"what was found", "meaning"}};
+    if (!single) columns.insert(columns.begin(), {"run", ""});
+    HtmlTable table(single ? "" : "What is not in order.", columns);
+    std::size_t told = 0, all = 0;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        for (const Check& check : runs[r].checks) {
+            const bool ok = check.verdict == Check::Verdict::ok;
+            ++all;
+            if (!single && ok) continue;
+            ++told;
+            std::vector<std::string> texts{check.name, verdict(check), check.sentence};
+            if (!single) texts.insert(texts.begin(), labels[r]);
+            table.add_row(texts, ok ? "" : "raised");
+        }
+    }
+    std::string text = "<h2>Checks</h2>\n";
+    if (all == 0) return text + "<p>Nothing to judge yet.</p>\n";
+    if (told > 0) text += table.text();
+    if (!single) text += fmt::format("<p>{} of {} checks are in order.</p>\n", all - told, all);
     return text;
 }
 

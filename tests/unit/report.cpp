@@ -1,7 +1,13 @@
 #include "report/report.hpp"
 
 #include <array>
+#include <fstream>
+#include <fstream>
 #include <regex>
+#include <string>
+#include <vector>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -105,6 +111,90 @@ TEST(Report, directory_that_a_run_wrote_is_understood) {
             << figure;
     export_vtk(scratch / "run", scratch / "vtk");
     EXPECT_TRUE(fs::exists(scratch / "vtk" / "cells" / "cells_000008.vtp"));
+}
+
+/// What a name could do to a page, to gnuplot and to a shell.
+constexpr const char* hostile = "</script><b>&'\"`touch made`$(touch made){/:Bold x}\n@a;-";
+
+/// Results of runs with that name, in a folder of that name.
+fs::path invent_hostile(const ScratchFolder& scratch) {
+    invent_results(scratch / "run", "--frames 2");
+    for (const char* name : {"case.toml", "resolved.toml"}) {
+        std::string text = text_of(scratch / "run" / name);
+        const std::string plain = "name = \"channel-500-LD\"";
+        text.replace(text.find(plain), plain.size(),
+                     std::string("name = '''") + hostile + "\nsecond line'''");
+        std::ofstream(scratch / "run" / name) << text;
+    }
+    std::string folder = hostile;
+    for (char& c : folder)
+        if (c == '/') c = '|';
+    fs::rename(scratch / "run", scratch / folder);
+    return scratch / folder;
+}
+
+std::size_t count_of(const std::string& text, const std::string& what) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; ++at) ++count;
+    return count;
+}
+
+TEST(Report, a_hostile_name_is_shown_and_never_run) {
+    ScratchFolder scratch;
+    const fs::path run = invent_hostile(scratch);
+    ASSERT_NE(read_results(run).name.find("</script>"), std::string::npos);
+    const std::array<fs::path, 1> one{run};
+    const std::string page = text_of(write_report(one));
+    EXPECT_EQ(count_of(page, "</script>"), 3u) << "those of the page itself";
+    EXPECT_EQ(page.find("<b>&"), std::string::npos);
+    EXPECT_NE(page.find("&lt;/script&gt;&lt;b&gt;&amp;&#39;&quot;"), std::string::npos);
+
+    const std::array<fs::path, 2> two{run, run};
+    const std::string both = text_of(write_report(two, scratch / "both"));
+    EXPECT_EQ(count_of(both, "</script>"), 3u);
+    EXPECT_TRUE(fs::exists(scratch / "both" / "figures" / "lambda_C.svg"));
+    for (const auto& entry : fs::recursive_directory_iterator(scratch / ""))
+        EXPECT_NE(entry.path().filename(), "made") << entry.path();
+    EXPECT_FALSE(fs::exists("made"));
+}
+
+TEST(Report, how_to_repeat_gives_each_run_a_folder_of_its_own_in_words_a_shell_takes) {
+    ScratchFolder scratch;
+    invent_results(scratch / "a", "--frames 2");
+    fs::copy(scratch / "a", scratch / "it's b", fs::copy_options::recursive);
+    const std::array<fs::path, 2> runs{scratch / "a", scratch / "it's b"};
+    const std::string page = text_of(write_report(runs, scratch / "both"));
+    const std::string folder = (scratch / "").string();
+    EXPECT_NE(page.find("tanktread run " + folder + "a/resolved.toml -o " + folder + "a-again\n"),
+              std::string::npos);
+    const std::string quoted = "&#39;" + folder + "it&#39;\\&#39;&#39;s b";
+    EXPECT_NE(page.find("run " + quoted + "/resolved.toml&#39; -o " + quoted + "-again&#39;\n"),
+              std::string::npos);
+}
+
+TEST(Report, twenty_runs_are_told_apart_by_what_differs) {
+    ScratchFolder scratch;
+    invent_results(scratch / "run0", "--frames 2");
+    std::vector<fs::path> runs{scratch / "run0"};
+    for (int k = 1; k < 20; ++k) {
+        runs.push_back(scratch / ("run" + std::to_string(k)));
+        fs::copy(runs[0], runs.back(), fs::copy_options::recursive);
+        std::string text = text_of(runs[0] / "resolved.toml");
+        text.replace(text.find("500 /s"), 6, std::to_string(500 + k) + " /s");
+        std::ofstream(runs.back() / "resolved.toml") << text;
+    }
+    const std::string page = text_of(write_report(runs, scratch / "all"));
+    EXPECT_NE(page.find("<h1>Comparison of 20 runs</h1>"), std::string::npos);
+    EXPECT_NE(page.find("Settings that differ."), std::string::npos);
+    EXPECT_NE(page.find(">flow.pseudo_shear_rate<"), std::string::npos);
+    EXPECT_EQ(page.find(">domain.width<"), std::string::npos) << "the same in all";
+    EXPECT_EQ(count_of(page, "drives the flow along the channel"), 1u);
+    const std::string script = text_of(scratch / "all" / "figures" / "mu_rel.gp");
+    EXPECT_NE(script.find("set key outside bottom"), std::string::npos);
+    EXPECT_NE(script.find("linetype 20 "), std::string::npos);
+    EXPECT_NE(text_of(scratch / "all" / "figures" / "style.gp").find("set linetype 20 "),
+              std::string::npos)
+        << "and it has a look of its own";
 }
 
 TEST(PageData, long_runs_are_thinned_and_positions_survive_rounding) {

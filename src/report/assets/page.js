@@ -3,6 +3,7 @@
 (() => {
   const data = JSON.parse(document.getElementById("data").textContent);
   const colours = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"];
+  const dashes = [[], [8, 4], [2, 3]];
   // Units that make numbers of this field readable.
   const shown = { m: [1e6, "µm"], s: [1e3, "ms"], "m/s": [1e3, "mm/s"], "Pa s": [1e3, "mPa s"] };
   const convert = (unit) => shown[unit] || [1, unit];
@@ -27,10 +28,11 @@
         run.cells.values.forEach((_, c) => series.push({ label: "cell " + c, stroke: "#a6a6a6", width: 0.7, spanGaps: true, points: { show: false } }));
       }
       tables.push([t, column.values.map((v) => (v === null ? null : v * factor))]);
-      series.push({ label: single ? "mean" : run.label, stroke: colours[r % colours.length], width: 2, spanGaps: true, points: { show: false },
+      series.push({ label: single ? "mean" : run.label, stroke: colours[r % colours.length], width: 2,
+        dash: dashes[Math.floor(r / colours.length) % dashes.length], spanGaps: true, points: { show: false },
         value: (_, v) => (v == null ? "–" : v.toPrecision(4)) });
     });
-    return { title, series, table: tables.length ? aligned(tables) : null };
+    return { title, series, single, table: tables.length ? aligned(tables) : null };
   }
 
   function makeChart(box, initial) {
@@ -39,7 +41,7 @@
     for (const key of keys) select.add(new Option(key, key, key === initial, key === initial));
     let plot = null;
     function draw() {
-      const { title, series, table } = chartInput(select.value);
+      const { title, series, table, single } = chartInput(select.value);
       if (plot) plot.destroy();
       plot = null;
       if (!table) return;
@@ -49,7 +51,7 @@
       plot = new uPlot({
         width: place.clientWidth, height: 260, series,
         scales: { x: { time: false } },
-        legend: { show: series.length <= 10 },
+        legend: { show: !single || series.length <= 10 },
         axes: [{ label: "time [ms]", font, labelFont: font, stroke: "#1a1a1a", grid: { show: false }, ticks: { stroke: "#8c8c8c" } },
                { label: title, font, labelFont: font, stroke: "#1a1a1a", size: 66, grid: { stroke: "#ececec" }, ticks: { stroke: "#8c8c8c" },
                  values: (_, ticks) => ticks.map((v) => (v === 0 ? "0" : Math.abs(v) < 1e-3 || Math.abs(v) >= 1e5 ? v.toExponential(1) : String(+v.toPrecision(6)))) }],
@@ -99,7 +101,10 @@
     element("legend").hidden = true;
   }
 
-  let player = players[0], frame = 0, timer = 0;
+  // Frames stand at the times at which they were recorded; the clock runs evenly between them.
+  let player = players[0], frame = 0, timer = 0, time = 0;
+  const last = Math.max(...players.map((p) => p.times[p.times.length - 1]));
+  const most = Math.max(...players.map((p) => p.times.length));
   players.forEach((p, k) => which.add(new Option(p.label, k)));
   element("which-label").hidden = players.length < 2;
 
@@ -137,8 +142,17 @@
     }
   }
 
+  // As wide as the page, but no higher than leaves the controls in view.
+  function fit() {
+    const aspect = player.length / player.width, room = canvas.parentElement.clientWidth;
+    const wide = Math.max(1, Math.floor(Math.min(room, 0.7 * window.innerHeight * aspect)));
+    canvas.style.width = wide + "px";
+    canvas.style.height = Math.max(1, Math.round(wide / aspect)) + "px";
+    return wide * (window.devicePixelRatio || 1);
+  }
+
   function draw() {
-    const across = canvas.clientWidth * (window.devicePixelRatio || 1);
+    const across = fit();
     canvas.width = Math.max(1, Math.round(across));
     canvas.height = Math.max(1, Math.round(across * player.width / player.length));
     context.fillStyle = "#fff";
@@ -146,35 +160,45 @@
     if (speed.checked) drawSpeed();
     drawCells();
     clock.textContent = "t = " + (player.times[frame] * 1e3).toPrecision(4) + " ms";
-    scrub.value = frame;
+    scrub.value = time;
     scrub.setAttribute("aria-valuetext", clock.textContent);
   }
 
   function stop() {
-    clearTimeout(timer);
+    cancelAnimationFrame(timer);
     timer = 0;
     play.textContent = "Play";
   }
-  function tick() {
-    frame = (frame + 1) % player.times.length;
+  // The latest frame not after `to`.
+  function go(to) {
+    time = to;
+    frame = player.times.findLastIndex((t) => t <= to * (1 + 1e-9));
+    frame = Math.max(frame, 0);
     draw();
-    timer = setTimeout(tick, 100 / Number(pace.value));
+  }
+  // At pace 1 the whole run takes a tenth of a second a frame.
+  let before = 0;
+  function tick(now) {
+    const end = player.times[player.times.length - 1], passed = Math.min(now - before, 500);
+    const to = time + passed * Number(pace.value) * last / (100 * most);
+    before = now;
+    go(time >= end ? 0 : Math.min(to, end));
+    timer = requestAnimationFrame(tick);
   }
   play.addEventListener("click", () => {
     if (timer) return stop();
     play.textContent = "Pause";
-    tick();
+    before = performance.now();
+    timer = requestAnimationFrame(tick);
   });
-  scrub.addEventListener("input", () => { stop(); frame = Number(scrub.value); draw(); });
+  scrub.addEventListener("input", () => { stop(); go(Number(scrub.value)); });
   speed.addEventListener("change", draw);
   which.addEventListener("change", () => {
     player = players[Number(which.value)];
-    frame = Math.min(frame, player.times.length - 1);
-    scrub.max = player.times.length - 1;
-    draw();
+    go(time);
   });
   window.addEventListener("resize", draw);
-  scrub.max = player.times.length - 1;
-  frame = player.times.length - 1;
-  draw();
+  scrub.max = last;
+  scrub.step = last / 1000 || 1;
+  go(last);
 })();
