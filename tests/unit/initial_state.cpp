@@ -7,6 +7,7 @@
 #include "case/read.hpp"
 #include "observe/cell_measures.hpp"
 #include "observe/run_measures.hpp"
+#include "source_dir.hpp"
 
 namespace tt {
 namespace {

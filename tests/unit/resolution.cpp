@@ -7,6 +7,7 @@
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
 #include "case/read.hpp"
+#include "source_dir.hpp"
 
 namespace tt {
 namespace {
