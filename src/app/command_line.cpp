@@ -101,8 +101,6 @@ int perform(const Action& action) {
                     exit_code::bad_input);
     } catch (const IoError& error) {
         return tell(error.what(), exit_code::input_output);
-    } catch (const std::filesystem::filesystem_error& error) {
-        return tell(error.what(), exit_code::input_output);
     } catch (const DirectoryInUse& error) {
         return tell(error.what(), exit_code::directory_in_use);
     } catch (const SimulationError& error) {

@@ -33,12 +33,12 @@ void write_table(const S& table, const std::string& path, std::string& text) {
     });
 }
 
-template <Table S>
+template <TomlTable S>
 void write_lines(const S& table, const std::string& path, std::string& text) {
     for_each_field<S>([&](const auto& field) {
         const auto& value = table.*field.member;
         const std::string key = path + std::string(field.key);
-        if constexpr (Table<std::remove_cvref_t<decltype(value)>>) {
+        if constexpr (TomlTable<std::remove_cvref_t<decltype(value)>>) {
             write_lines(value, key + ".", text);
         } else {
             const std::string written = value_text(value, field.example);

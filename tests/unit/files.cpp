@@ -111,7 +111,7 @@ TEST_F(Files, former_results_behind_a_link_are_moved_aside_on_their_own_disk) {
     write("scratch/run/PROVENANCE.json", "{}");
     fs::create_directory_symlink(path("scratch/run"), path("run"));
     for (const char* name : {"run", "run/"}) {
-        const ResultsDirectory results(path(name), "hash", Start::fresh);
+        const ResultsDirectory results(path(name), Start::fresh);
         EXPECT_TRUE(fs::is_symlink(path("run")));
         EXPECT_TRUE(fs::is_directory(path("scratch/run")));
         EXPECT_TRUE(fs::exists(results.moved_to() / "PROVENANCE.json"));
