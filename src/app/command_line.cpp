@@ -16,6 +16,7 @@
 #include "base/error.hpp"
 #include "base/version.hpp"
 #include "base/words.hpp"
+#include "observe/failure.hpp"
 
 namespace tt {
 namespace {
@@ -101,6 +102,8 @@ int perform(const Action& action) {
     } catch (const DirectoryInUse& error) {
         return tell(error.what(), exit_code::directory_in_use);
     } catch (const SimulationError& error) {
+        return tell(error.what(), exit_code::unstable);
+    } catch (const FailedBefore& error) {
         return tell(error.what(), exit_code::unstable);
     } catch (const std::bad_alloc&) {
         return tell("not enough memory; take a larger dx or a smaller box", exit_code::internal);

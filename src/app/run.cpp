@@ -11,6 +11,7 @@
 #include "app/run_request.hpp"
 #include "app/verb.hpp"
 #include "base/units.hpp"
+#include "case/cures.hpp"
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
 #include "exchange/periodic.hpp"
@@ -72,6 +73,7 @@ int run(const RunOptions& options, const std::string& command_line) {
                                            options.until, to_text(c.time.end)));
         request.until = until;
     }
+    request.remedies = [&] { return cures(c, model.threads); };
     Periodic exchange;
     const RunOutcome outcome = run_case(
         request, model, [&] { return initial_state(c, model); }, exchange);

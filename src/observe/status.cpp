@@ -87,6 +87,8 @@ std::string describe_status(const Json& status) {
         text += fmt::format("run again to resume from step {}\n",
                             status.value("checkpoint_step", std::int64_t{-1}));
     }
+    if (phase == "failed")
+        text += "it blew up: failure/why.txt says why, tanktread report shows where\n";
     return text;
 }
 
