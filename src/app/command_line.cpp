@@ -19,6 +19,7 @@
 #include "base/letter.hpp"
 #include "base/version.hpp"
 #include "base/words.hpp"
+#include "observe/failure.hpp"
 
 namespace tt {
 namespace {
@@ -109,6 +110,8 @@ int perform(const Action& action) {
         return tell(
             fmt::format("cannot use '{}': {}", error.path1().string(), error.code().message()),
             exit_code::input_output);
+    } catch (const FailedBefore& error) {
+        return tell(error.what(), exit_code::unstable);
     } catch (const std::bad_alloc&) {
         return tell("not enough memory; take a larger dx or a smaller box", exit_code::internal);
     } catch (const std::exception& error) {

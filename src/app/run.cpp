@@ -13,6 +13,7 @@
 #include "app/verb.hpp"
 #include "base/units.hpp"
 #include "case/appraise.hpp"
+#include "case/cures.hpp"
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
 #include "exchange/periodic.hpp"
@@ -90,6 +91,7 @@ int run(const RunOptions& options, const std::string& command_line) {
         expect_stable(c, choice, model, initial);
         return initial;
     };
+    request.remedies = [&] { return cures(c, model.threads); };
     Periodic exchange;
     const RunOutcome outcome = run_case(request, model, start, exchange);
     return tell_outcome(outcome, request);

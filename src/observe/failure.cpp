@@ -34,8 +34,7 @@ Json to_json(const Instability& what) {
                 {"node", what.node >= 0 ? Json(what.node) : Json()},
                 {"x", what.x},
                 {"y", what.y},
-                {"cause", what.cause},
-                {"cure", what.cure}};
+                {"cause", what.cause}};
 }
 
 void write_frames(const fs::path& folder, const std::string& name, const Model& model,
@@ -53,26 +52,39 @@ void write_frames(const fs::path& folder, const std::string& name, const Model& 
 
 }  // namespace
 
-SimulationError record_failure(const fs::path& results, const std::string& name,
-                               const Instability& what, const Model& model, State& failing,
-                               const LastGood& good) {
+void keep_states(const fs::path& results, const std::string& name, const Model& model,
+                 State& failing, const LastGood& good) {
     const fs::path folder = failure_folder(results);
     fs::remove_all(folder);  // of an earlier attempt that was cut off
     make_directory(folder);
     if (good.any()) good.write(folder / "last_good");
-    const SimulationError error(
-        what, labelled("write", what.cure) + '\n' +
-                  labelled("kept", kept_in(folder, good, model.scales.time)) + '\n' +
-                  labelled("see", "tanktread report " + results.string()));
-    replace_file(folder / "why.txt", std::string(error.what()) + '\n', Durability::power);
     write_frames(folder, name, model, good, failing);
     ArchiveWriter archive(folder / "failing");
     save_state(archive, failing);
     archive.commit();
+}
+
+SimulationError tell_failure(const fs::path& results, const Instability& what,
+                             const std::string& advice, const LastGood& good, double dt) {
+    const fs::path folder = failure_folder(results);
+    const SimulationError error(what, labelled("write", advice) + '\n' +
+                                          labelled("kept", kept_in(folder, good, dt)) + '\n' +
+                                          labelled("see", "tanktread report " + results.string()));
+    replace_file(folder / "why.txt", std::string(error.what()) + '\n', Durability::power);
     Json record = to_json(what);
+    record["advice"] = advice;
     record["last_good_step"] = good.any() ? Json(good.step()) : Json();
     write_json(folder / "failure.json", record, Durability::power);
     return error;
+}
+
+void expect_no_failure(const fs::path& results) {
+    const fs::path folder = failure_folder(results);
+    if (!fs::exists(folder / "failure.json")) return;
+    throw FailedBefore(fmt::format(
+        "'{}' failed before, and the same would happen again:\n{}Change the case and begin anew, "
+        "with another -o or with --fresh.",
+        results.string(), read_file(folder / "why.txt")));
 }
 
 }  // namespace tt

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 #include "base/error.hpp"
@@ -21,11 +22,23 @@ inline std::filesystem::path failure_folder(const std::filesystem::path& results
     return results / "failure";
 }
 
-/// Writes it anew, failure.json last, and returns the error that tells all of it, with the folder's
-/// path. Brings the velocity of the failing state up to date with its populations. IoError if the
-/// folder cannot be written.
-SimulationError record_failure(const std::filesystem::path& results, const std::string& name,
-                               const Instability& what, const Model& model, State& failing,
-                               const LastGood& good);
+/// Begins the folder anew with the states: last_good, frames.h5 and failing. Brings the velocity of
+/// the failing state up to date with its populations.
+void keep_states(const std::filesystem::path& results, const std::string& name, const Model& model,
+                 State& failing, const LastGood& good);
+
+/// Writes why.txt and failure.json and returns the error that tells the same. `advice`: what to
+/// write, and what is known of it.
+SimulationError tell_failure(const std::filesystem::path& results, const Instability& what,
+                             const std::string& advice, const LastGood& good, double dt);
+
+/// The run of a results directory blew up before (exit 3): the same would happen again.
+class FailedBefore : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Throws FailedBefore, with all that was told, if failure/ says so.
+void expect_no_failure(const std::filesystem::path& results);
 
 }  // namespace tt

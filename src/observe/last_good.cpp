@@ -1,32 +1,45 @@
 #include "observe/last_good.hpp"
 
 #include <algorithm>
+#include <ctime>
 
 #include "simulation/state_archive.hpp"
 
 namespace tt {
 namespace {
 
-double seconds(Clock::duration time) { return std::chrono::duration<double>(time).count(); }
+/// Processor time of this thread [s]: other work on the machine does not count.
+double busy_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
-/// Of the run's time, what copies may cost at most.
-constexpr double share = 0.005;
+/// Of the run's time, what copies may cost at most, but for the first twentieth of a second of
+/// them. A little more goes into stopping the team.
+constexpr double share = 0.004;
+constexpr double allowance = 0.05;  // s
 
 }  // namespace
 
 void LastGood::take(const State& state, const Observers& observers, double wall_seconds) {
-    const Clock::time_point begin = Clock::now();
-    const std::int64_t steps = state.step - state_.step;
-    const double step_seconds = any() && steps > 0 ? seconds(begin - taken_) / steps : 0.0;
+    const double begin = busy_seconds();
+    if (!any()) {
+        begun_ = begin;
+        first_step_ = state.step;
+    }
     copy_saved(state, state_);
     surroundings_.clear();
     put_surroundings(surroundings_, settings_, wall_seconds, observers);
-    taken_ = Clock::now();
     minute_.done();
-    // The quickest: the first one asks the system for memory, others are held up by other work.
-    copy_seconds_ = std::min(copy_seconds_, seconds(taken_ - begin));
-    const double dear = step_seconds > 0.0 ? copy_seconds_ / (share * step_seconds) : 0.0;
-    next_ = state.step + std::max(interval_, static_cast<std::int64_t>(std::min(dear, 1e9)));
+    const double now = busy_seconds();
+    copies_ += now - begin;
+    // Until the run has gone on for long enough to pay for them.
+    const double owed = (copies_ - allowance) / share - (now - begun_);
+    const double pace = static_cast<double>(state.step - first_step_) / (now - begun_);
+    const std::int64_t wait =
+        owed > 0.0 ? static_cast<std::int64_t>(std::min(owed * pace, 1e9)) : 0;
+    next_ = state.step + std::max(interval_, wait);
 }
 
 void LastGood::write(const std::filesystem::path& path) const {

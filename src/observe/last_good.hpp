@@ -41,8 +41,9 @@ private:
     const std::string settings_;
     std::int64_t next_ = 0;
     Duty minute_{60.0};
-    Clock::time_point taken_;
-    double copy_seconds_ = 1e9;
+    double begun_ = 0.0;   ///< [s] of this thread's processor time
+    double copies_ = 0.0;  ///< [s] of it that all copies took
+    std::int64_t first_step_ = 0;
     State state_;
     ArchiveBuffer surroundings_;
 };

@@ -53,6 +53,7 @@ private:
     void save_checkpoint();
     void keep_good();
     void finish();
+    std::string advice(const Instability& what);
     SimulationError failed(const SimulationError& error);
 
     bool at_end() const { return state_.step >= steps_; }
@@ -332,12 +333,26 @@ void CaseRun::finish() {
     log_.append(describe_checks(read_checks(results_.path())));
 }
 
+/// What to write, tried if there is something to try.
+std::string CaseRun::advice(const Instability& what) {
+    if (!request_.remedies || !good_.any()) return what.cure;
+    progress_.say(
+        fmt::format("unstable at step {}; trying what may help, a minute at most", what.step));
+    return tried_advice(request_.remedies(), {model_, good_.state(), what}, request_.limits,
+                        exchange_);
+}
+
 /// Leaves failure/, and tells with what was seen where it is. Never masks the error it records.
 SimulationError CaseRun::failed(const SimulationError& error) {
+    const Instability& what = error.instability();
+    const auto tell = [&](const std::string& advice) {
+        return tell_failure(results_.path(), what, advice, good_, model_.scales.time);
+    };
     try {
-        const SimulationError told = record_failure(results_.path(), request_.name,
-                                                    error.instability(), model_, state_, good_);
+        keep_states(results_.path(), request_.name, model_, state_, good_);
+        tell(what.cure);  // the search for something better may be cut off
         record("failed");
+        const SimulationError told = tell(advice(what));
         log(told.what());
         return told;
     } catch (const IoError& second) {
@@ -354,6 +369,7 @@ RunOutcome CaseRun::outcome(RunOutcome::Ending ending) const {
 
 RunOutcome CaseRun::run(const std::function<State()>& initial) {
     const auto tell = [this](const std::string& message) { say(message); };
+    expect_no_failure(results_.path());
     try {
         auto archive =
             checkpoints_.newest(tell, [this](const ArchiveReader& found) { load(found); });

@@ -6,11 +6,13 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include <vector>
 
 #include "exchange/exchange.hpp"
 #include "observe/checks.hpp"
 #include "observe/progress.hpp"
 #include "observe/provenance.hpp"
+#include "observe/remedy.hpp"
 #include "observe/results_directory.hpp"
 #include "simulation/health.hpp"
 #include "simulation/model.hpp"
@@ -37,7 +39,8 @@ struct RunRequest {
     ProgressMode progress = ProgressMode::automatic;
     Start start = Start::resume;
     HealthLimits limits;
-    std::optional<double> shear_number;  ///< G (Eq. 19), for summary.json
+    std::optional<double> shear_number;             ///< G (Eq. 19), for summary.json
+    std::function<std::vector<Remedy>()> remedies;  ///< to try if it blows up
 };
 
 struct RunOutcome {

@@ -100,6 +100,8 @@ std::string describe_status(const Json& status) {
         text += step > 0 ? fmt::format("run again to resume from step {}\n", step)
                          : "run again; it begins at step 0\n";
     }
+    if (phase == "failed")
+        text += "it blew up: failure/why.txt says why, tanktread report shows where\n";
     return text;
 }
 

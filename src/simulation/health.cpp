@@ -134,6 +134,11 @@ std::optional<Instability> speeds(const Model& model, const State& state, double
             model, state, {fmt::format("Mach number at site ({}, {})", i, j), value, mach, ""});
         what.cause = "the flow is too fast for the time step, or a membrane force has blown up";
         what.cure = "a smaller dt (or a lower density_scale) or a slower flow";
+        if (state.step == 0 && std::isfinite(value))
+            what.cure = fmt::format(
+                "--set numerics.dt=\"{:.2g} us\" --set numerics.density_scale=auto, or a slower "
+                "flow",
+                model.scales.time * 1e6 * 0.1 / value);
         place(model, Lattice::position(i, j), what);
         return what;
     }

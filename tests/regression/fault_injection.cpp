@@ -239,6 +239,7 @@ TEST_F(FailingRun, can_go_on_from_what_it_kept) {
     fail();
     move_into_place(failure("last_good"), request.directory / "checkpoint/current",
                     Durability::process);
+    fs::remove_all(request.directory / "failure");
     run_small(request);
     const RunRequest straight = small_request(path("straight"), 1000);
     run_small(straight);
