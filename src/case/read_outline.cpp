@@ -100,8 +100,10 @@ std::string steps_advice(const CellOutline& outline) {
 std::string direction_advice(const CellOutline& outline, const CellsCase& cells) {
     return fmt::format(
         "{} {}. Images count y downwards: write y_down = true in [cells] if this outline does, "
-        "else its mirror image is what runs; y_down = false if it does not.",
-        outline.file, cells.pixel ? "is in pixels" : "runs clockwise");
+        "else its mirror image is what runs; y_down = false if it does not.{}",
+        outline.file, cells.pixel ? "is in pixels" : "runs clockwise",
+        cells.pixel ? " Its first number is taken for x: lists of row, column must be turned round."
+                    : "");
 }
 
 std::string unit_advice(const CellOutline& outline) {
