@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A run that blows up, by the program. The grid's answer to a membrane between fluids of so
-/// unlike viscosities is known to be unstable (docs/theory/interface.md).
+/// A run that blows up, by the program: a cell almost without viscosity, whose area is kept by a
+/// pressure just below what `check` refuses.
 class FailedRun : public TemporaryDirectory {
 protected:
     FailedRun() {
@@ -29,11 +29,14 @@ length = "20 um"
 width = "12 um"
 [flow]
 drive = "pressure"
-pseudo_shear_rate = "200 /s"
+pseudo_shear_rate = "80 /s"
 [cells]
 count = 1
 radius = "2.7 um"
-cytoplasm_viscosity = "0.024 cP"
+cytoplasm_viscosity = "0.0745 cP"
+[membrane]
+hold_area = false
+area_stiffness = "9.51 kPa"
 [numerics]
 dx = "0.5 um"
 jump_correction = true
@@ -115,29 +118,22 @@ std::vector<std::string> settings_in(const std::string& advice) {
     return words;
 }
 
-/// Cases of unlike fluids, cells whose area is not held, and steps of all lengths, many of which
-/// blow up. More of them on demand: TANKTREAD_FAILURES=50.
+/// Cases of its kind, of which some blow up. More of them on demand: TANKTREAD_FAILURES=50.
 std::vector<std::string> random_settings(Random& random) {
     std::vector<std::string> words;
     const auto set = [&](const char* format, double low, double high) {
         const double value = std::pow(10.0, random.uniform(low, high));
         words.insert(words.end(), {"--set", fmt::format(fmt::runtime(format), value)});
     };
-    const auto now_and_then = [&] { return random.uniform(0.0, 1.0) < 0.4; };
-    set("cells.cytoplasm_viscosity={:.3g} cP", -2.3, 3.0);
-    if (now_and_then()) set("flow.pseudo_shear_rate={:.3g} /s", 1.0, 3.0);
-    if (now_and_then()) set("numerics.dt={:.3g} us", 0.0, 1.0);
-    if (now_and_then()) set("membrane.shear_modulus={:.3g} N/m", -6.5, -4.5);
-    if (now_and_then()) {
-        words.insert(words.end(), {"--set", "membrane.hold_area=false"});
-        set("membrane.area_stiffness={:.3g} Pa", 2.0, 6.0);
-    }
+    set("cells.cytoplasm_viscosity={:.3g} cP", -1.2, -1.0);
+    set("flow.pseudo_shear_rate={:.3g} /s", 1.2, 2.0);
+    set("membrane.area_stiffness={:.3g} kPa", 0.8, 1.0);
     return words;
 }
 
 TEST_F(FailedRun, runs_to_its_end_with_what_it_advises) {
     const char* const asked = std::getenv("TANKTREAD_FAILURES");
-    const int wanted = asked ? std::atoi(asked) : 4;
+    const int wanted = asked ? std::atoi(asked) : 2;
     Random random(2014);
     for (int failures = 0; failures < wanted;) {
         std::vector<std::string> words = random_settings(random);

@@ -72,22 +72,6 @@ TEST(Report, unfinished_runs_say_how_far_they_came) {
     }
 }
 
-TEST(Report, missing_gnuplot_is_told_with_the_package_to_install) {
-    ScratchFolder scratch;
-    invent_results(scratch / "run");
-    const std::string path = std::getenv("PATH");
-    setenv("PATH", "/nowhere", 1);
-    const std::array<fs::path, 1> runs{scratch / "run"};
-    std::string message;
-    try {
-        write_report(runs);
-    } catch (const IoError& error) {
-        message = error.what();
-    }
-    setenv("PATH", path.c_str(), 1);
-    EXPECT_NE(message.find("apt install gnuplot-nox"), std::string::npos) << message;
-}
-
 TEST(Report, directory_that_a_run_wrote_is_understood) {
     ScratchFolder scratch;
     run_small(small_request(scratch / "run", 200));

@@ -56,7 +56,7 @@ TEST(Resolution, membranes_that_buckle_below_the_grid_are_told_with_a_spacing_th
 }
 
 TEST(Resolution, a_shape_that_the_nodes_cannot_follow_is_told_with_a_spacing_that_helps) {
-    const auto coarse = crumpling("2 um");
+    const auto coarse = crumpling("1 um");
     const std::string dx = asked_dx(appraised("05-channel", coarse), "shape at the start");
     ASSERT_NE(dx, "");
     EXPECT_EQ(asked_dx(appraised("05-channel", crumpling(dx)), "shape at the start"), "");
