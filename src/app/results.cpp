@@ -30,7 +30,7 @@ struct ResultsOptions {
 
 int show_status(const ResultsOptions& options) {
     Json status = read_status(options.directories.front());
-    const std::vector<Check> checks = read_checks(options.directories.front());
+    const std::vector<RunCheck> checks = read_checks(options.directories.front());
     if (options.json) {
         status["checks"] = to_json(checks);
         fmt::print("{}\n", status.dump(2));

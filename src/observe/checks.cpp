@@ -13,7 +13,7 @@ namespace tt {
 namespace {
 
 namespace fs = std::filesystem;
-using Verdict = Check::Verdict;
+using Verdict = RunCheck::Verdict;
 constexpr std::array<const char*, 3> verdict_names{"ok", "warning", "failed"};
 
 double number_or_nan(const Json& object, const char* key) {
@@ -22,8 +22,8 @@ double number_or_nan(const Json& object, const char* key) {
                                                        : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<Check> from_json(const Json& list) {
-    std::vector<Check> checks;
+std::vector<RunCheck> from_json(const Json& list) {
+    std::vector<RunCheck> checks;
     for (const Json& json : list) {
         if (!json.is_object()) continue;
         const auto text = [&](const char* key) {
@@ -41,7 +41,7 @@ std::vector<Check> from_json(const Json& list) {
 
 }  // namespace
 
-std::vector<Check> read_checks(const fs::path& results) {
+std::vector<RunCheck> read_checks(const fs::path& results) {
     if (fs::exists(results / "summary.json")) {
         const Json summary = read_json(results / "summary.json");
         if (const auto found = summary.find("checks"); found != summary.end() && found->is_array())
@@ -55,12 +55,12 @@ std::vector<Check> read_checks(const fs::path& results) {
         const double dx = number_or_nan(read_json(results / "status.json"), "dx");
         if (std::isfinite(dx)) input.dx = Length{dx};
     }
-    return series.rows() == 0 ? std::vector<Check>{} : judge(series, input);
+    return series.rows() == 0 ? std::vector<RunCheck>{} : judge(series, input);
 }
 
-Json to_json(const std::vector<Check>& checks) {
+Json to_json(const std::vector<RunCheck>& checks) {
     Json list = Json::array();
-    for (const Check& c : checks)
+    for (const RunCheck& c : checks)
         list.push_back({{"name", c.name},
                         {"verdict", verdict_names[static_cast<std::size_t>(c.verdict)]},
                         {"value", std::isfinite(c.value) ? Json(c.value) : Json(nullptr)},
@@ -70,9 +70,9 @@ Json to_json(const std::vector<Check>& checks) {
     return list;
 }
 
-std::string describe_checks(const std::vector<Check>& checks) {
+std::string describe_checks(const std::vector<RunCheck>& checks) {
     std::string text;
-    for (const Check& c : checks)
+    for (const RunCheck& c : checks)
         if (c.verdict != Verdict::ok)
             text +=
                 wrapped(fmt::format("{}: {}", c.verdict == Verdict::failed ? "FAILED" : "warning",

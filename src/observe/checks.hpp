@@ -13,7 +13,7 @@ namespace tt {
 
 /// One judgement of a run from its results. Told in the same words by `run`, by `status`, in
 /// summary.json and on the report page.
-struct Check {
+struct RunCheck {
     enum class Verdict : std::uint8_t { ok, warning, failed };
     std::string name;
     Verdict verdict = Verdict::ok;
@@ -42,17 +42,17 @@ struct CheckInput {
 /// All checks that apply to a run with these rows of series.csv: overlap, gap, repulsion, area,
 /// resolution (with cells), mach, and of a finished run speed, window, standard_error. The worst
 /// row counts.
-std::vector<Check> judge(const Table& series, const CheckInput& input);
+std::vector<RunCheck> judge(const Table& series, const CheckInput& input);
 
 /// Those of a results directory: what its summary.json says, else what its rows so far say; none
 /// where there are no rows yet. Throws IoError if a file is damaged.
-std::vector<Check> read_checks(const std::filesystem::path& results);
+std::vector<RunCheck> read_checks(const std::filesystem::path& results);
 
 /// `{name, verdict, value, limit, unit, sentence}`, verdict ok | warning | failed.
-Json to_json(const std::vector<Check>& checks);
+Json to_json(const std::vector<RunCheck>& checks);
 
 /// For the terminal: "warning: …" or "FAILED: …" a check that is not in order, within 79 columns,
 /// the resolution last; one line that all is in order where it is. Empty without checks.
-std::string describe_checks(const std::vector<Check>& checks);
+std::string describe_checks(const std::vector<RunCheck>& checks);
 
 }  // namespace tt

@@ -14,7 +14,7 @@
 namespace tt {
 namespace {
 
-using Verdict = Check::Verdict;
+using Verdict = RunCheck::Verdict;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// The numbers of a column that are numbers; none where there is no such column.
@@ -183,10 +183,10 @@ public:
                                fewest)});
     }
 
-    std::vector<Check> all() && { return std::move(checks_); }
+    std::vector<RunCheck> all() && { return std::move(checks_); }
 
 private:
-    void add(Check check) { checks_.push_back(std::move(check)); }
+    void add(RunCheck check) { checks_.push_back(std::move(check)); }
 
     void add_window(double times, const char* slowest, double milliseconds) {
         if (!slowest) {
@@ -217,12 +217,12 @@ private:
 
     const Table& series_;
     const CheckInput& input_;
-    std::vector<Check> checks_;
+    std::vector<RunCheck> checks_;
 };
 
 }  // namespace
 
-std::vector<Check> judge(const Table& series, const CheckInput& input) {
+std::vector<RunCheck> judge(const Table& series, const CheckInput& input) {
     Judge judge(series, input);
     if (!known(series, "lambda_C").empty()) {
         judge.overlap();

@@ -50,7 +50,7 @@ struct RunOutcome {
     std::int64_t steps = 0;
     std::uint64_t state_hash = 0;  ///< 0 where no checkpoint was left to read it from
     double wall_seconds = 0.0;     ///< all sessions together
-    std::vector<Check> checks;     ///< of a run that is done
+    std::vector<RunCheck> checks;     ///< of a run that is done
 };
 
 /// Runs the case into its results directory, or goes on with it, until its end, a signal,

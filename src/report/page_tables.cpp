@@ -101,9 +101,9 @@ std::set<std::string> all_settings(std::span<const Results> runs) {
     return keys;
 }
 
-std::string verdict(const Check& check) {
-    if (check.verdict == Check::Verdict::ok) return "ok";
-    return check.verdict == Check::Verdict::failed ? "FAILED" : "warning";
+std::string verdict(const RunCheck& check) {
+    if (check.verdict == RunCheck::Verdict::ok) return "ok";
+    return check.verdict == RunCheck::Verdict::failed ? "FAILED" : "warning";
 }
 
 std::string value_text(const Json& value) {
@@ -160,8 +160,8 @@ std::string checks_section(std::span<const Results> runs, const std::vector<std:
     HtmlTable table(single ? "" : "What is not in order.", columns);
     std::size_t told = 0, all = 0;
     for (std::size_t r = 0; r < runs.size(); ++r) {
-        for (const Check& check : runs[r].checks) {
-            const bool ok = check.verdict == Check::Verdict::ok;
+        for (const RunCheck& check : runs[r].checks) {
+            const bool ok = check.verdict == RunCheck::Verdict::ok;
             ++all;
             if (!single && ok) continue;
             ++told;

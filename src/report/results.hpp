@@ -31,7 +31,7 @@ struct Results {
     std::map<std::string, std::string>
         settings;  ///< "flow.drive" → "shear"; from resolved.toml, else case.toml
     Json status, provenance, summary;
-    std::vector<Check> checks;
+    std::vector<RunCheck> checks;
     std::vector<SummaryLine> quantities;          ///< averages of the summary, in its order
     double window_begin = 0.0, window_end = 0.0;  ///< of averaging [s]; equal: none
     Table series, cells, profiles;

@@ -13,7 +13,7 @@
 namespace tt {
 namespace {
 
-using Verdict = Check::Verdict;
+using Verdict = RunCheck::Verdict;
 
 /// Forty rows, a second apart, of a run in which all is well; `change` spoils it.
 template <class Change>
@@ -43,17 +43,17 @@ protected:
     CheckInput input{Length{2e-7}, true, {Time{20.0}, Time{39.0}}, true, Rate{500.0}};
 
     template <class Change>
-    std::map<std::string, Check> judged(Change change) {
+    std::map<std::string, RunCheck> judged(Change change) {
         replace_file(path("series.csv"), rows(change), Durability::process);
-        std::map<std::string, Check> by_name;
-        for (const Check& check : judge(read_csv(path("series.csv")), input))
+        std::map<std::string, RunCheck> by_name;
+        for (const RunCheck& check : judge(read_csv(path("series.csv")), input))
             by_name[check.name] = check;
         return by_name;
     }
     /// The one check that is not in order after `change`.
     template <class Change>
-    Check spoilt(Change change) {
-        Check found;
+    RunCheck spoilt(Change change) {
+        RunCheck found;
         for (const auto& [name, check] : judged(change)) {
             if (check.verdict == Verdict::ok) continue;
             EXPECT_EQ(found.name, "") << name;
@@ -75,7 +75,7 @@ TEST_F(Checks, a_run_in_order_has_all_of_them_and_none_is_raised) {
 
 TEST_F(Checks, each_is_raised_by_what_it_watches_alone) {
     const auto is = [&](const char* name, Verdict verdict, double value, auto change) {
-        const Check check = spoilt(change);
+        const RunCheck check = spoilt(change);
         EXPECT_EQ(check.name, name);
         EXPECT_EQ(check.verdict, verdict) << name;
         EXPECT_NEAR(check.value, value, 1e-9 * std::abs(value)) << name;
@@ -104,14 +104,14 @@ TEST_F(Checks, a_flow_that_no_controller_holds_must_be_steady) {
     input.held_rate = Rate{0.0};
     EXPECT_EQ(judged([](RunMeasures& m, int) { m.pseudo_shear_rate.si = 300; })["speed"].verdict,
               Verdict::ok);
-    const Check check =
+    const RunCheck check =
         spoilt([](RunMeasures& m, int t) { m.mean_velocity.si = t < 30 ? 1 : 1.2; });
     EXPECT_EQ(check.name, "speed");
     EXPECT_NEAR(check.value, 0.2 / 1.1, 1e-9);
 }
 
 TEST_F(Checks, a_window_of_a_drift_is_too_short_and_says_of_what) {
-    const Check check = spoilt([](RunMeasures& m, int t) { m.strain = 0.1 + 0.01 * t; });
+    const RunCheck check = spoilt([](RunMeasures& m, int t) { m.strain = 0.1 + 0.01 * t; });
     EXPECT_EQ(check.name, "window");
     EXPECT_LT(check.value, 10.0);
     EXPECT_NE(check.sentence.find("strain"), std::string::npos);
@@ -119,7 +119,7 @@ TEST_F(Checks, a_window_of_a_drift_is_too_short_and_says_of_what) {
 
 TEST_F(Checks, fewer_than_twenty_rows_give_no_standard_error) {
     input.window.from = Time{30.0};
-    const Check check = spoilt([](RunMeasures&, int) {});
+    const RunCheck check = spoilt([](RunMeasures&, int) {});
     EXPECT_EQ(check.name, "standard_error");
     EXPECT_EQ(check.value, 10.0);
 }
@@ -134,10 +134,11 @@ TEST_F(Checks, a_run_without_cells_is_not_judged_by_them) {
 TEST_F(Checks, what_the_summary_says_is_what_is_read_back_else_the_rows_are_judged) {
     const auto judged_now = judged([](RunMeasures& m, int) { m.overlaps = 2; });
     write_json(path("status.json"), {{"dx", 2e-7}}, Durability::process);
-    const std::vector<Check> so_far = read_checks(directory());
+    const std::vector<RunCheck> so_far = read_checks(directory());
     EXPECT_EQ(so_far.size(), 6u) << "nothing of the averaging window";
-    for (const Check& check : so_far) EXPECT_EQ(check.sentence, judged_now.at(check.name).sentence);
-    std::vector<Check> told{so_far.front()};
+    for (const RunCheck& check : so_far)
+        EXPECT_EQ(check.sentence, judged_now.at(check.name).sentence);
+    std::vector<RunCheck> told{so_far.front()};
     told.front().sentence = "in these words";
     write_json(path("summary.json"), {{"checks", to_json(told)}}, Durability::process);
     ASSERT_EQ(read_checks(directory()).size(), 1u);

@@ -87,7 +87,7 @@ TEST(Report, directory_that_a_run_wrote_is_understood) {
     const std::string page = text_of(write_report(runs));
     EXPECT_NE(page.find("cfl_profile"), std::string::npos);
     EXPECT_GE(run.checks.size(), 8u);
-    for (const Check& check : run.checks)
+    for (const RunCheck& check : run.checks)
         EXPECT_NE(page.find(check.sentence), std::string::npos) << check.name;
     for (const char* figure :
          {"flow", "lambda_C", "mu_rel", "velocity_profile", "hematocrit_profile"})
