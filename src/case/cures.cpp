@@ -64,7 +64,7 @@ std::vector<Remedy> cures(const Case& c, int threads) {
         }
     };
     const bool cells = !c.numerics.fluid_only;
-    const bool correction = cells && c.numerics.jump_correction && contrast(c) > 1.0;
+    const bool correction = cells && choice.jump_correction && contrast(c) > 1.0;
     const bool far = correction && contrast(c) > 10.0;
     const bool free = cells && !c.membrane.hold_area;
     const auto shortened = [&](double factor) {
