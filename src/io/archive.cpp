@@ -48,10 +48,10 @@ void keep(const fs::path& path, const fs::path& previous) {
 void ArchiveOutput::put_bytes(std::string_view name, char code, std::uint64_t count,
                               const void* bytes, std::size_t size) {
     const auto length = static_cast<std::uint32_t>(name.size());
-    write(&length, sizeof length);
-    write(name.data(), name.size());
-    write(&code, 1);
-    write(&count, sizeof count);
+    std::string head(reinterpret_cast<const char*>(&length), sizeof length);
+    head.append(name).append(1, code);
+    head.append(reinterpret_cast<const char*>(&count), sizeof count);
+    write(head.data(), head.size());
     write(bytes, size);
 }
 

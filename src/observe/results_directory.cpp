@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
+#include <fstream>
+#include <sstream>
+#include <string>
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -27,7 +32,7 @@ bool holds_results(const fs::path& path) {
 
 /// A run that was killed before it wrote PROVENANCE.json, its first file, leaves at most these.
 bool holds_something(const fs::path& path) {
-    constexpr std::array leftovers{".lock", "run.log", "PROVENANCE.json.tmp"};
+    constexpr std::array leftovers{".lock", ".owner", "run.log", "PROVENANCE.json.tmp"};
     for (const auto& entry : fs::directory_iterator(path)) {
         const std::string name = entry.path().filename().string();
         if (std::find(leftovers.begin(), leftovers.end(), name) == leftovers.end()) return true;
@@ -46,6 +51,46 @@ void expect_results(const fs::path& path) {
     }
 }
 
+bool has_no_locks(int code) { return code == ENOSYS || code == EOPNOTSUPP || code == ENOLCK; }
+
+fs::path owner_file(const fs::path& results) { return results / ".owner"; }
+
+std::string host() {
+    char name[256] = "";
+    ::gethostname(name, sizeof name - 1);
+    return name;
+}
+
+std::string owner_of(const fs::path& results) {
+    std::ifstream file(owner_file(results));
+    std::string line;
+    std::getline(file, line);
+    return line;
+}
+
+/// By a process that may be alive: of another host, or one of this that is.
+bool is_owned(const fs::path& results) {
+    std::istringstream owner(owner_of(results));
+    std::string on;
+    pid_t process = 0;
+    if (!(owner >> on >> process)) return fs::exists(owner_file(results));
+    return on != host() || ::kill(process, 0) == 0 || errno == EPERM;
+}
+
+/// Makes us the owner, unless somebody is.
+bool own(const fs::path& results) {
+    std::error_code ignored;
+    if (!is_owned(results)) fs::remove(owner_file(results), ignored);
+    const int file =
+        ::open(owner_file(results).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+    if (file < 0) return false;
+    const std::string line = fmt::format("{} {}\n", host(), ::getpid());
+    const bool written =
+        ::write(file, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+    ::close(file);
+    return written;
+}
+
 }  // namespace
 
 void DirectoryLock::acquire(const fs::path& directory) {
@@ -53,21 +98,41 @@ void DirectoryLock::acquire(const fs::path& directory) {
     descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (descriptor_ < 0)
         throw IoError(fmt::format("cannot open '{}': {}", file.string(), std::strerror(errno)));
+    directory_ = directory;
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
     const int code = errno;
-    release();
-    if (code == EWOULDBLOCK) {
-        throw DirectoryInUse(fmt::format(
-            "another process is writing to '{}'; wait for it or choose another directory with "
-            "-o",
-            directory.string()));
+    if (has_no_locks(code) && own(directory)) {
+        owner_ = true;
+        return;
     }
-    throw IoError(fmt::format("cannot lock '{}': {}", file.string(), std::strerror(code)));
+    const std::string owner = has_no_locks(code) ? owner_of(directory) : "";
+    release();
+    if (code != EWOULDBLOCK && owner.empty())
+        throw IoError(fmt::format("cannot lock '{}': {}", file.string(), std::strerror(code)));
+    throw DirectoryInUse(fmt::format(
+        "another process{} is writing to '{}'; wait for it or choose another directory with -o{}",
+        owner.empty() ? "" : " (" + owner + ")", directory.string(),
+        owner.empty() ? "" : ". If it is gone, delete " + owner_file(directory).string()));
 }
 
 void DirectoryLock::release() {
+    std::error_code ignored;
+    if (owner_) fs::remove(owner_file(directory_), ignored);
+    owner_ = false;
     if (descriptor_ >= 0) ::close(descriptor_);
     descriptor_ = -1;
+}
+
+std::optional<fs::path> DirectoryLock::moved() const {
+    struct stat held {
+    }, there{};
+    if (descriptor_ < 0 || ::fstat(descriptor_, &held) != 0) return std::nullopt;
+    const bool same = ::stat(lock_file(directory_).c_str(), &there) == 0 &&
+                      held.st_ino == there.st_ino && held.st_dev == there.st_dev;
+    std::error_code code;
+    const fs::path place = fs::read_symlink(fmt::format("/proc/self/fd/{}", descriptor_), code);
+    if (same || code || held.st_nlink == 0) return std::nullopt;
+    return place.parent_path();
 }
 
 ResultsDirectory::ResultsDirectory(const fs::path& path, Start start) : path_(path) {
@@ -96,9 +161,11 @@ void ResultsDirectory::move_aside() {
 bool is_running(const fs::path& results) {
     const int descriptor = ::open(lock_file(results).c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) return false;
-    const bool held = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    const bool free = ::flock(descriptor, LOCK_SH | LOCK_NB) == 0;
+    const int code = errno;
     ::close(descriptor);
-    return held;
+    if (free) return false;
+    return code == EWOULDBLOCK || (has_no_locks(code) && is_owned(results));
 }
 
 }  // namespace tt

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace tt {
@@ -9,7 +10,9 @@ namespace tt {
 enum class Start { resume, fresh };
 
 /// Held by one process at a time, until it is released or the process ends, however it ends: the
-/// kernel drops it, so that no stale lock can be left.
+/// kernel drops it, so that no stale lock can be left. Where the file system has no locks, a file
+/// `.owner` with the host and the process stands for it; one of a process of this host that is gone
+/// is taken over.
 class DirectoryLock {
 public:
     DirectoryLock() = default;
@@ -20,9 +23,13 @@ public:
     /// Throws DirectoryInUse if another process holds it.
     void acquire(const std::filesystem::path& directory);
     void release();
+    /// Where the directory is, if that is not where it was.
+    std::optional<std::filesystem::path> moved() const;
 
 private:
+    std::filesystem::path directory_;
     int descriptor_ = -1;
+    bool owner_ = false;  ///< by a file, not by the kernel
 };
 
 /// A results directory that this process alone writes to, until the object ends.
@@ -36,6 +43,8 @@ public:
     const std::filesystem::path& path() const { return path_; }
     /// Where the former content went; empty if nothing was moved.
     const std::filesystem::path& moved_to() const { return moved_to_; }
+    /// Where somebody has moved it to while we hold it, if anywhere.
+    std::optional<std::filesystem::path> lies_elsewhere() const { return lock_.moved(); }
 
 private:
     void move_aside();

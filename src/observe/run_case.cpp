@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -63,6 +64,7 @@ private:
     }
     Standing standing();
     void record(const std::string& phase);
+    void show_status();
     double wall_seconds() const { return earlier_seconds_ + pace_->seconds(); }
     RunOutcome outcome(RunOutcome::Ending ending) const;
 
@@ -83,6 +85,7 @@ private:
     StepTimes step_times_;
     Session session_;
     double earlier_seconds_ = 0.0;
+    bool status_failed_ = false;
     Duty status_duty_, progress_duty_, checkpoint_duty_, time_limit_;
 };
 
@@ -278,13 +281,24 @@ void CaseRun::save_checkpoint() {
 /// Likewise.
 void CaseRun::keep_good() { good_.take(state_, observers_, wall_seconds()); }
 
+/// No run ends for want of it: it is written again in two seconds.
+void CaseRun::show_status() {
+    try {
+        write_status(results_.path(), standing(), "running");
+        status_failed_ = false;
+    } catch (const IoError& error) {
+        if (!std::exchange(status_failed_, true))
+            say(fmt::format("the run goes on without it: {}", error.what()));
+    }
+}
+
 void CaseRun::attend_to_duties() {
     if (progress_duty_.due()) {
         progress_.show(standing());
         progress_duty_.done();
     }
     if (status_duty_.due()) {
-        write_status(results_.path(), standing(), "running");
+        show_status();
         status_duty_.done();
     }
     if (checkpoint_duty_.due()) {
@@ -399,6 +413,12 @@ RunOutcome CaseRun::run(const std::function<State()>& initial) {
         return outcome(RunOutcome::Ending::done);
     } catch (const SimulationError& error) {
         throw failed(error);
+    } catch (const IoError& error) {
+        if (const auto place = results_.lies_elsewhere())
+            throw IoError(
+                fmt::format("'{}' was moved while the run wrote to it, to '{}'; resume it there",
+                            request_.directory.string(), place->string()));
+        throw;
     }
 }
 
