@@ -96,7 +96,7 @@ public:
     }
 
     void add_bending(const Membrane& membrane, double stretch) {
-        const double modulus = bending_modulus(membrane, stretch);
+        const double modulus = bending_modulus(membrane, stretch_of_bending(membrane, stretch));
         const double lesser = std::min(viscosity(), case_.cells.cytoplasm_viscosity.si);
         if (modulus == 0.0) return;
         add("bending", auto_bending_step_number / bending_step_number(modulus, lesser, 1.0, dx_),
@@ -154,6 +154,10 @@ double expected_stretch(const Case& c, const Undisturbed& flow, const Membrane& 
         c.plasma.viscosity.si * flow.wall_rate.si * equivalent_radius(c).si / modulus;
     const double in_flow = stretch_at(membrane, 3.5 * modulus * std::pow(shear_number, 0.8));
     return std::max(in_flow, std::sqrt(c.cells.initial_stretch.value_or(1.0)));
+}
+
+double stretch_of_bending(const Membrane& membrane, double expected_stretch) {
+    return membrane.hardening.shear ? expected_stretch : 1.0;
 }
 
 std::vector<StepLimit> step_limits(const Case& c, const Undisturbed& flow,
