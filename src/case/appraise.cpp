@@ -92,13 +92,12 @@ void bound(const Choice& choice, const Model& model, Appraisal& a) {
                         tension_step_limit,
                         (late ? "(tau-1/2) T' dt/(mu dx) " : "T' dt/(mu dx) ") + at});
     const double lesser = std::min(model.viscosity.plasma, model.viscosity.cytoplasm);
-    const double bent = stretch_of_bending(membrane, stretch);
-    a.bounds.push_back({"bending",
-                        bending_step_number(bending_modulus(membrane, bent), lesser, 1.0, 1.0),
-                        bending_step_limit,
-                        fmt::format("E_b dt/(mu dx^3) at stretch {:.3g}", bent)});
+    const double bent = stretch_of_hardened(membrane, stretch);
+    a.bounds.push_back(
+        {"bending", bending_step_number(bending_modulus(membrane, bent), lesser, 1.0, 1.0),
+         bending_step_limit, fmt::format("E_b dt/(mu dx^3) at stretch {:.3g}", bent)});
     if (membrane.hold_area) return;  // the area cannot run away
-    const double cell_stretch = expected_cell_stretch(stretch);
+    const double cell_stretch = expected_cell_stretch(stretch_of_hardened(membrane, stretch));
     a.bounds.push_back({"area pressure",
                         area_step_number(area_stiffness(membrane, cell_stretch),
                                          model.viscosity.plasma, choice.relaxation_time, 1.0),

@@ -169,10 +169,12 @@ std::vector<Placement> random_placements(const std::vector<Vec2>& shape, int cou
         const double area = area_of(shape) * count / (length * width);
         throw CaseError(
             {{"", 0, 0,
-              fmt::format("[cells] layout = \"random\": no room for {} cells; hematocrit {:.1f} % "
-                          "was reached of "
-                          "{:.1f} %; lower the hematocrit or change the seed",
-                          count, 100.0 * area * packing.scale() * packing.scale(), 100.0 * area)}});
+              fmt::format(
+                  "[cells] layout = \"random\": no room for {} cells; hematocrit {:.1f} % "
+                  "was reached of {:.1f} %; write hematocrit = \"{:.0f} %\", fewer cells or "
+                  "another seed",
+                  count, 100.0 * area * packing.scale() * packing.scale(), 100.0 * area,
+                  90.0 * area * packing.scale() * packing.scale())}});
     }
     return packing.cells();
 }

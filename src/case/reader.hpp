@@ -155,8 +155,8 @@ private:
                             node.kind == TomlNode::Kind::string;  // --set apply_to=shear,area
         if (node.kind != TomlNode::Kind::array && !listed)
             return tell(entry, node,
-                        fmt::format("{} = {} must be a list; write {} = {}", field.key,
-                                    shown(node), field.key, field.example));
+                        fmt::format("{} = {} must be a list; write {} = {}", field.key, shown(node),
+                                    field.key, field.example));
         result.clear();
         for (const TomlNode& item : listed ? listed_items(node.text) : node.items) {
             result.emplace_back();

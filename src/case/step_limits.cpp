@@ -96,7 +96,7 @@ public:
     }
 
     void add_bending(const Membrane& membrane, double stretch) {
-        const double modulus = bending_modulus(membrane, stretch_of_bending(membrane, stretch));
+        const double modulus = bending_modulus(membrane, stretch_of_hardened(membrane, stretch));
         const double lesser = std::min(viscosity(), case_.cells.cytoplasm_viscosity.si);
         if (modulus == 0.0) return;
         add("bending", auto_bending_step_number / bending_step_number(modulus, lesser, 1.0, dx_),
@@ -156,7 +156,7 @@ double expected_stretch(const Case& c, const Undisturbed& flow, const Membrane& 
     return std::max(in_flow, std::sqrt(c.cells.initial_stretch.value_or(1.0)));
 }
 
-double stretch_of_bending(const Membrane& membrane, double expected_stretch) {
+double stretch_of_hardened(const Membrane& membrane, double expected_stretch) {
     return membrane.hardening.shear ? expected_stretch : 1.0;
 }
 

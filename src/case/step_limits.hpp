@@ -55,9 +55,9 @@ constexpr double expected_cell_stretch(double expected_stretch) {
     return 1.0 + 0.75 * (expected_stretch - 1.0);
 }
 
-/// The stretch to judge hardened bending at. Where tension does not harden too, its law alone lets a
-/// cell go far beyond where hardened bending holds it, so that α(λ) there says nothing: at rest.
-double stretch_of_bending(const Membrane& membrane, double expected_stretch);
+/// The stretch to judge hardened bending and area at. Where tension does not harden too, its law
+/// alone lets a cell go far beyond where they hold it, so that α(λ) there says nothing: at rest.
+double stretch_of_hardened(const Membrane& membrane, double expected_stretch);
 
 /// Time steps that each limit of `auto` allows at site spacing `dx` and relaxation time τ, the
 /// tightest first. Limits of accuracy are proportional to numerics.step_tolerance, by the changes

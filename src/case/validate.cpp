@@ -324,6 +324,23 @@ void judge_contact(Judge& judge, const ContactCase& contact) {
                                to_text(*contact.range), to_text(contact.zero_force_distance)));
 }
 
+/// The key that asks for the flow, and what to write for one so many times as fast.
+std::pair<std::string, std::string> flow_times(const FlowCase& flow, double factor) {
+    std::pair<std::string, std::string> found;
+    const auto look = [&](const char* key, const auto& value) {
+        using Quantity = std::remove_cvref_t<decltype(*value)>;
+        if (value) found = {key, rounded_text(Quantity{factor * value->si}, 2)};
+    };
+    look("pseudo_shear_rate", flow.pseudo_shear_rate);
+    look("mean_velocity", flow.mean_velocity);
+    look("largest_velocity", flow.largest_velocity);
+    look("flow_rate", flow.flow_rate);
+    look("wall_stress", flow.wall_stress);
+    look("pressure_gradient", flow.pressure_gradient);
+    look("shear_rate", flow.shear_rate);
+    return found;
+}
+
 /// Every flow is asked for by a number of its own; here all are held against one range.
 void judge_rate(Judge& judge, const Case& c) {
     constexpr double slowest = 1e-6, fastest = 1e6;
@@ -331,14 +348,15 @@ void judge_rate(Judge& judge, const Case& c) {
     if (c.flow.drive == "none" || (shear && !c.flow.shear_rate)) return;
     const double rate = std::abs((shear ? *c.flow.shear_rate : pseudo_shear_rate(c)).si);
     if (rate >= slowest && rate <= fastest) return;
+    const auto [key, value] =
+        flow_times(c.flow, (rate < slowest ? 1.1 * slowest : 0.9 * fastest) / rate);
     judge.tell(
         {"flow.pseudo_shear_rate", "flow.mean_velocity", "flow.largest_velocity", "flow.flow_rate",
          "flow.wall_stress", "flow.pressure_gradient", "flow.shear_rate"},
         fmt::format("the flow has a {} rate of {} /s, and {} to {} /s are possible; write {} = "
-                    "\"{} /s\"",
+                    "\"{}\"",
                     shear ? "shear" : "pseudo-shear", to_text(rate), to_text(slowest),
-                    to_text(fastest), shear ? "shear_rate" : "pseudo_shear_rate",
-                    to_text(rate < slowest ? slowest : fastest)));
+                    to_text(fastest), key, value));
 }
 
 bool is_whole(double count) { return std::abs(count - std::round(count)) < 1e-6 * count; }
