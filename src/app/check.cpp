@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/case_options.hpp"
+#include "app/layout_progress.hpp"
 #include "app/probe.hpp"
 #include "app/verb.hpp"
 #include "base/units.hpp"
@@ -221,7 +222,7 @@ int check(const CheckOptions& options) {
     const Choice choice = choose(c);
     Model model = discretise(c, choice);
     model.threads = thread_count(options.given.threads, model.lattice);
-    const State initial = initial_state(c, model);
+    const State initial = initial_state(c, model, layout_progress(ProgressMode::automatic));
     Appraisal a = appraise(c, choice, model, initial);
     const Probe p = a.refused() ? Probe{} : probe(model, initial);
     if (p.unstable_step > 0)

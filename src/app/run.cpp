@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/case_options.hpp"
+#include "app/layout_progress.hpp"
 #include "base/tell.hpp"
 #include "app/run_request.hpp"
 #include "app/verb.hpp"
@@ -76,7 +77,8 @@ int run(const RunOptions& options, const std::string& command_line) {
     request.remedies = [&] { return cures(c, model.threads); };
     Periodic exchange;
     const RunOutcome outcome = run_case(
-        request, model, [&] { return initial_state(c, model); }, exchange);
+        request, model, [&] { return initial_state(c, model, layout_progress(request.progress)); },
+        exchange);
     return tell_outcome(outcome, request);
 }
 

@@ -73,14 +73,19 @@ std::vector<Placement> placements(const Case& c, const Model& m, const std::vect
                                   const LayoutWatch& watch) {
     const double length = m.lattice.nx, width = m.lattice.ny;
     const auto seed = static_cast<std::uint64_t>(c.cells.seed);
-    int count = static_cast<int>(c.cells.count.value_or(1));
-    if (c.cells.hematocrit)
-        count =
-            static_cast<int>(std::lround(*c.cells.hematocrit * length * width / area_of(shape)));
-    if (c.cells.layout == "paper")
-        return two_rows(count, length, width, m.scales.to_lattice(c.cells.perturbation), seed);
+    const auto number = [&](int multiple) {  // as near to the hematocrit as there are whole cells
+        if (!c.cells.hematocrit) return static_cast<int>(c.cells.count.value_or(1));
+        const double cells = *c.cells.hematocrit * length * width / area_of(shape);
+        return multiple * std::max(1, static_cast<int>(std::lround(cells / multiple)));
+    };
+    if (c.cells.layout == "paper") {
+        std::vector<Placement> cells =
+            two_rows(number(2), length, width, m.scales.to_lattice(c.cells.perturbation), seed);
+        for (Placement& cell : cells) cell.angle = c.cells.angle.si;
+        return cells;
+    }
     if (c.cells.layout == "random")
-        return random_placements(shape, count, m.lattice, seed, watch);
+        return random_placements(shape, number(1), m.lattice, seed, watch);
     if (c.cells.layout == "explicit") {
         std::vector<Placement> cells;
         for (const auto& p : c.cells.positions) {

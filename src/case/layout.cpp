@@ -16,9 +16,9 @@ Vec2 along(const std::vector<Vec2>& values, double t) {
     const double s = t * count - k;
     const auto at = [&](int n) { return values[(n + count) % count]; };
     const Vec2 a = at(k - 1), b = at(k), c = at(k + 1), d = at(k + 2);
-    return b + 0.5 * s *
-                   ((c - a) + s * (2.0 * a - 5.0 * b + 4.0 * c - d) +
-                    s * s * (3.0 * (b - c) + d - a));
+    return b +
+           0.5 * s *
+               ((c - a) + s * (2.0 * a - 5.0 * b + 4.0 * c - d) + s * s * (3.0 * (b - c) + d - a));
 }
 
 /// Moves all nodes along their normals until the outline encloses `area`.

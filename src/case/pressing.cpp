@@ -70,7 +70,8 @@ Pressing::Pressing(const std::vector<Vec2>& shape, const Lattice& box, double ga
     points_ = static_cast<int>(shape_.size());
     for (const Vec2 p : shape_) {
         reach_ = std::max(reach_, norm(p));
-        gyration2_ += 0.5 * dot(p, p) / points_;  // of the area; that of the outline is twice as large
+        gyration2_ +=
+            0.5 * dot(p, p) / points_;  // of the area; that of the outline is twice as large
     }
     dents_.resize(points_);
     weights_.resize(points_);
@@ -220,8 +221,8 @@ void Pressing::yield(int cell, double share) {
         const double depth = norm(push.move);
         deepest_ = std::max(deepest_, depth);
         move += depth * push.move;
-        point += depth * (mine.node(push.edge) + push.along * mine.edge(push.edge) -
-                          cells_[cell].centre);
+        point += depth *
+                 (mine.node(push.edge) + push.along * mine.edge(push.edge) - cells_[cell].centre);
         total += depth;
         if (spring_ < 1.0) dent(cell, push);
     }
@@ -362,8 +363,7 @@ std::vector<Placement> Pressing::cells() const {
     std::vector<Placement> placements;
     placements.reserve(cells_.size());
     for (const Cell& cell : cells_)
-        placements.push_back(
-            {cell.centre, std::atan2(cell.axis.y, cell.axis.x), cell.bend});
+        placements.push_back({cell.centre, std::atan2(cell.axis.y, cell.axis.x), cell.bend});
     return placements;
 }
 

@@ -43,8 +43,8 @@ public:
 private:
     struct Cell {
         Vec2 centre;
-        Vec2 axis;               ///< cosine and sine of its angle
-        std::vector<Vec2> bend;  ///< as in Placement; empty: rigid
+        Vec2 axis;                               ///< cosine and sine of its angle
+        std::vector<Vec2> bend;                  ///< as in Placement; empty: rigid
         std::int64_t stirred = 0, visited = -1;  ///< sweeps when it last moved, was looked at
     };
 
