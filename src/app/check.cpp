@@ -50,6 +50,23 @@ void print_line(std::string_view label, const std::string& text) {
     fmt::print("  {:<17} {}\n", label, wrapped(text, 79, 20));
 }
 
+/// How near membranes are at the start, and how much they are stretched there.
+std::string start_text(const Case& c, const Choice& choice, const Appraisal& a) {
+    std::string text =
+        a.smallest_gap < gap_reach
+            ? fmt::format("nearest membranes {:.2g} sites ({}) apart", a.smallest_gap,
+                          rounded_text(Length{a.smallest_gap * choice.dx.si}, 2))
+            : fmt::format("no two membranes nearer than {:.2g} sites", gap_reach);
+    if (c.contact.model == "morse" && a.smallest_gap < gap_reach &&
+        a.smallest_gap * choice.dx.si < c.contact.zero_force_distance.si)
+        text +=
+            fmt::format(", below zero_force_distance, {}", to_text(c.contact.zero_force_distance));
+    if (c.domain.sides == "walls") text += fmt::format("; {:.2g} sites to a wall", a.wall_distance);
+    if (a.start_stretch > 1e-6)
+        text += fmt::format("; segments stretched by up to {:.2g} %", 100.0 * a.start_stretch);
+    return text;
+}
+
 void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
     print_line("grid", fmt::format("{} x {} sites of {}, {} in all", choice.nx, choice.ny,
                                    rounded_text(choice.dx), with_spaces(a.sites)));
@@ -63,6 +80,7 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
                 a.viscosity_ratio));
     else
         print_line("cells", "none");
+    if (a.cells > 0) print_line("start", start_text(c, choice, a));
     if (a.cells > 0 && c.cells.outline) print_line("outline", description(*c.cells.outline));
     const StepLimit& limit = choice.limits.front();
     const bool chosen = !c.numerics.dt && !c.numerics.density_scale;
@@ -177,6 +195,11 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
     j["radius_sites"] = a.radius_sites;
     j["hematocrit"] = a.hematocrit;
     j["viscosity_ratio"] = a.viscosity_ratio;
+    if (a.cells > 0)
+        j["start"] = {{"smallest_gap_sites", a.smallest_gap},
+                      {"smallest_gap_is_at_least", !(a.smallest_gap < gap_reach)},
+                      {"wall_distance_sites", a.wall_distance},
+                      {"largest_stretch", a.start_stretch}};
     if (c.cells.outline) j["outline"] = to_json(*c.cells.outline);
     j["relaxation_time_plasma"] = a.tau_plasma;
     j["relaxation_time_largest"] = a.tau_cytoplasm;

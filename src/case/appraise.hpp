@@ -20,6 +20,9 @@ struct Bound {
     double margin() const { return value > 0.0 ? limit / value : 1e9; }
 };
 
+/// How far apart membranes are looked for at the start [sites].
+inline constexpr double gap_reach = 3.0;
+
 /// Something the user should know before the run: what is so, and which key to change.
 struct Advice {
     enum class Weight : std::uint8_t { consider, refuse };
@@ -35,6 +38,9 @@ struct Appraisal {
     double radius_sites = 0.0;   ///< radius of a cell
     double node_distance = 0.0;  ///< mean, in sites
     double hematocrit = 0.0, viscosity_ratio = 1.0;
+    double smallest_gap = 0.0;   ///< between membranes at the start, in sites; at most gap_reach
+    double wall_distance = 0.0;  ///< of the nearest membrane at the start, in sites
+    double start_stretch = 0.0;  ///< largest |l / l₀ − 1| of a segment at the start
     double tau_plasma = 0.0, tau_cytoplasm = 0.0;
     double shear_number = 0.0;       ///< G = μ k a / E_s (Eq. 19)
     double cell_reynolds = 0.0;      ///< ρ k a² / μ, physical

@@ -8,8 +8,11 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "case/discretise.hpp"
+#include "case/initial_state.hpp"
 #include "case/layout.hpp"
 #include "case/random_layout.hpp"
+#include "case/read.hpp"
 #include "interaction/contact.hpp"
 #include "io/checksum.hpp"
 #include "membrane/shapes.hpp"
@@ -145,6 +148,34 @@ TEST(PaperLayout, is_two_symmetric_rows_up_to_the_perturbation) {
         EXPECT_LE(std::fabs(shift.y), 2.5);
         EXPECT_NE(shift.y, 0.0);
     }
+}
+
+Suspension start_of(const std::string& cells, const std::string& width) {
+    const Case c = parse_case(
+        fmt::format("format = 1\n[domain]\nlength = \"24 um\"\nwidth = \"{}\"\n[cells]\n{}\n"
+                    "[numerics]\ndx = \"0.25 um\"\n[time]\nend = \"1 ms\"\n",
+                    width, cells),
+        "case.toml");
+    return initial_state(c, discretise(c)).cells;
+}
+
+const std::string disc = "shape = \"biconcave\"\nradius = \"3.91 um\"\n";
+
+TEST(Fit, looks_at_the_outline_as_it_lies) {
+    EXPECT_EQ(start_of(disc, "6 um").cell_count(), 1);
+    EXPECT_EQ(start_of(disc + "angle = \"20 deg\"", "6 um").cell_count(), 1);
+    EXPECT_THROW(start_of(disc + "angle = \"90 deg\"", "6 um"), CaseError);
+    EXPECT_EQ(
+        start_of("shape = \"ellipse\"\nradius = \"4 um\"\naspect_ratio = 4", "5 um").cell_count(),
+        1);
+    EXPECT_EQ(start_of(disc + "layout = \"random\"\ncount = 2", "6 um").cell_count(), 2);
+    EXPECT_EQ(start_of("radius = \"2.9 um\"\ninitial_stretch = 2", "5 um").cell_count(), 1);
+}
+
+TEST(PaperLayout, has_pairs_of_cells_whatever_the_hematocrit) {
+    const std::string rows = "layout = \"paper\"\nradius = \"2 um\"\nhematocrit = ";
+    EXPECT_EQ(start_of(rows + "\"4 %\"", "12 um").cell_count(), 2);
+    EXPECT_EQ(start_of(rows + "\"13 %\"", "12 um").cell_count(), 4);
 }
 
 }  // namespace
