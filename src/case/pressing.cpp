@@ -104,8 +104,13 @@ void Pressing::draw(int c) {
     Cell& cell = cells_[c];
     const std::size_t first = static_cast<std::size_t>(c) * points_;
     Bounds box{{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}, true};
+    cell.low = {HUGE_VAL, HUGE_VAL};
+    cell.high = {-HUGE_VAL, -HUGE_VAL};
     for (int k = 0; k < points_; ++k) {
-        const Vec2 p = cell.centre + turned(cell.axis, at(cell.bend, k));
+        const Vec2 own = at(cell.bend, k);
+        cell.low = {std::min(cell.low.x, own.x), std::min(cell.low.y, own.y)};
+        cell.high = {std::max(cell.high.x, own.x), std::max(cell.high.y, own.y)};
+        const Vec2 p = cell.centre + turned(cell.axis, own);
         x_[first + k] = p.x;
         y_[first + k] = p.y;
         box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
@@ -175,6 +180,14 @@ double Pressing::visit(int c) {
     return deepest_;
 }
 
+/// False where the point is too far from the box around an outline, which lies as the cell does.
+bool Pressing::near_outline(int c, Vec2 point, double reach) const {
+    const Cell& cell = cells_[c];
+    const Vec2 own = turned_back(cell.axis, point - cell.centre);
+    return own.x > cell.low.x - reach && own.x < cell.high.x + reach &&
+           own.y > cell.low.y - reach && own.y < cell.high.y + reach;
+}
+
 /// Where the outlines of a cell and of another, moved by `shift`, come too near: at the nodes of
 /// either.
 void Pressing::find_pushes(int cell, int other, Vec2 shift) {
@@ -191,10 +204,10 @@ void Pressing::find_pushes(int cell, int other, Vec2 shift) {
     const Edges mine = edges_of(cell), others = edges_of(other);
     for (int k = 0; k < points_; ++k) {
         const Vec2 here = mine.node(k), there = others.node(k) + shift;
-        if (between(here))
+        if (between(here) && near_outline(other, here - shift, reach))
             if (const auto push = push_from(others, here - shift, reach))
                 pushes_.push_back({k, 0.0, -push->move});
-        if (between(there))
+        if (between(there) && near_outline(cell, there, reach))
             if (const auto push = push_from(mine, there, reach)) pushes_.push_back(*push);
     }
 }

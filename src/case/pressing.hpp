@@ -45,6 +45,7 @@ private:
         Vec2 centre;
         Vec2 axis;                               ///< cosine and sine of its angle
         std::vector<Vec2> bend;                  ///< as in Placement; empty: rigid
+        Vec2 low, high;                          ///< of its outline, in its own frame
         std::int64_t stirred = 0, visited = -1;  ///< sweeps when it last moved, was looked at
     };
 
@@ -55,6 +56,7 @@ private:
     double sweep();
     double visit(int cell);
     bool undisturbed(int cell) const;
+    bool near_outline(int cell, Vec2 point, double reach) const;
     void find_pushes(int cell, int other, Vec2 shift);
     void find_wall_pushes(int cell);
     void yield(int cell, double share);
