@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/case_options.hpp"
+#include "app/layout_progress.hpp"
 #include "app/probe.hpp"
 #include "app/verb.hpp"
 #include "base/units.hpp"
@@ -63,6 +64,23 @@ std::string resolution_text(const Appraisal& a) {
                       a.start_turn_deg, a.start_radius);
 }
 
+/// How near membranes are at the start, and how much they are stretched there.
+std::string start_text(const Case& c, const Choice& choice, const Appraisal& a) {
+    std::string text =
+        a.smallest_gap < gap_reach
+            ? fmt::format("nearest membranes {:.2g} sites ({}) apart", a.smallest_gap,
+                          rounded_text(Length{a.smallest_gap * choice.dx.si}, 2))
+            : fmt::format("no two membranes nearer than {:.2g} sites", gap_reach);
+    if (c.contact.model == "morse" && a.smallest_gap < gap_reach &&
+        a.smallest_gap * choice.dx.si < c.contact.zero_force_distance.si)
+        text +=
+            fmt::format(", below zero_force_distance, {}", to_text(c.contact.zero_force_distance));
+    if (c.domain.sides == "walls") text += fmt::format("; {:.2g} sites to a wall", a.wall_distance);
+    if (a.start_stretch > 1e-6)
+        text += fmt::format("; segments stretched by up to {:.2g} %", 100.0 * a.start_stretch);
+    return text;
+}
+
 void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
     print_line("grid", fmt::format("{} x {} sites of {}, {} in all", choice.nx, choice.ny,
                                    rounded_text(choice.dx), with_spaces(a.sites)));
@@ -77,6 +95,7 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
     else
         print_line("cells", "none");
     if (a.cells > 0) print_line("resolution", resolution_text(a));
+    if (a.cells > 0) print_line("start", start_text(c, choice, a));
     if (a.cells > 0 && c.cells.outline) print_line("outline", description(*c.cells.outline));
     const StepLimit& limit = choice.limits.front();
     const bool chosen = !c.numerics.dt && !c.numerics.density_scale;
@@ -195,6 +214,11 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
     j["start_radius_sites"] = a.cells > 0 ? Json(a.start_radius) : Json(nullptr);
     j["hematocrit"] = a.hematocrit;
     j["viscosity_ratio"] = a.viscosity_ratio;
+    if (a.cells > 0)
+        j["start"] = {{"smallest_gap_sites", a.smallest_gap},
+                      {"smallest_gap_is_at_least", !(a.smallest_gap < gap_reach)},
+                      {"wall_distance_sites", a.wall_distance},
+                      {"largest_stretch", a.start_stretch}};
     if (c.cells.outline) j["outline"] = to_json(*c.cells.outline);
     j["relaxation_time_plasma"] = a.tau_plasma;
     j["relaxation_time_largest"] = a.tau_cytoplasm;
@@ -241,7 +265,7 @@ int check(const CheckOptions& options) {
     expect_memory(choice);
     Model model = discretise(c, choice);
     model.threads = thread_count(options.given.threads, model.lattice);
-    const State initial = initial_state(c, model);
+    const State initial = initial_state(c, model, layout_progress(ProgressMode::automatic));
     Appraisal a = appraise(c, choice, model, initial);
     const Probe p = a.refused() ? Probe{} : probe(model, initial);
     if (p.unstable_step > 0)

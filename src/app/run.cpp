@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/case_options.hpp"
+#include "app/layout_progress.hpp"
 #include "base/tell.hpp"
 #include "app/run_request.hpp"
 #include "app/verb.hpp"
@@ -87,7 +88,7 @@ int run(const RunOptions& options, const std::string& command_line) {
         request.until = until;
     }
     const auto start = [&] {
-        State initial = initial_state(c, model);
+        State initial = initial_state(c, model, layout_progress(request.progress));
         expect_stable(c, choice, model, initial);
         return initial;
     };

@@ -55,6 +55,22 @@ void count_all(const Case& c, const Choice& choice, const State& initial, Apprai
     a.viscosity_ratio = c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si;
 }
 
+/// How dense the start is.
+void measure_start(const Model& model, const Suspension& cells, Appraisal& a) {
+    if (a.cells == 0) return;
+    a.smallest_gap = smallest_gap(model.lattice, cells, gap_reach);
+    a.wall_distance = model.lattice.ny;
+    for (const double y : cells.y)
+        a.wall_distance = std::min({a.wall_distance, y, model.lattice.ny - y});
+    for (int c = 0; c < a.cells; ++c)
+        for (int k = cells.first[c]; k < cells.first[c + 1]; ++k) {
+            const int next = k + 1 < cells.first[c + 1] ? k + 1 : cells.first[c];
+            const double length = norm(cells.position(next) - cells.position(k));
+            a.start_stretch =
+                std::max(a.start_stretch, std::abs(length / cells.rest_length[k] - 1.0));
+        }
+}
+
 void characterise(const Case& c, const Choice& choice, const Model& model, Appraisal& a) {
     const double k = std::abs(choice.shear_rate.si);
     const double mu = c.plasma.viscosity.si;
@@ -310,6 +326,7 @@ void expect_stable(const Case& c, const Choice& choice, const Model& model, cons
 Appraisal appraise(const Case& c, const Choice& choice, const Model& model, const State& initial) {
     Appraisal a;
     count_all(c, choice, initial, a);
+    measure_start(model, initial.cells, a);
     characterise(c, choice, model, a);
     bound(choice, model, a);
     size_output(c, a);

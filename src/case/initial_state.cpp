@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "case/choose.hpp"
 #include "case/layout.hpp"
+#include "case/random_layout.hpp"
 #include "coupling/stencil.hpp"
 #include "exchange/periodic.hpp"
 #include "fluid/collide_stream.hpp"
@@ -70,17 +71,23 @@ std::vector<Vec2> stress_free_shape(const Case& c, double dx) {
     return shape;
 }
 
-std::vector<Placement> placements(const Case& c, const Model& m, const std::vector<Vec2>& shape) {
+std::vector<Placement> placements(const Case& c, const Model& m, const std::vector<Vec2>& shape,
+                                  const LayoutWatch& watch) {
     const double length = m.lattice.nx, width = m.lattice.ny;
     const auto seed = static_cast<std::uint64_t>(c.cells.seed);
-    int count = static_cast<int>(c.cells.count.value_or(1));
-    if (c.cells.hematocrit)
-        count =
-            static_cast<int>(std::lround(*c.cells.hematocrit * length * width / area_of(shape)));
-    if (c.cells.layout == "paper")
-        return two_rows(count, length, width, m.scales.to_lattice(c.cells.perturbation), seed);
+    const auto number = [&](int multiple) {  // as near to the hematocrit as there are whole cells
+        if (!c.cells.hematocrit) return static_cast<int>(c.cells.count.value_or(1));
+        const double cells = *c.cells.hematocrit * length * width / area_of(shape);
+        return multiple * std::max(1, static_cast<int>(std::lround(cells / multiple)));
+    };
+    if (c.cells.layout == "paper") {
+        std::vector<Placement> cells =
+            two_rows(number(2), length, width, m.scales.to_lattice(c.cells.perturbation), seed);
+        for (Placement& cell : cells) cell.angle = c.cells.angle.si;
+        return cells;
+    }
     if (c.cells.layout == "random")
-        return random_placements(shape, count, length, width, 1.0, seed);
+        return random_placements(shape, number(1), m.lattice, seed, watch);
     if (c.cells.layout == "explicit") {
         std::vector<Placement> cells;
         for (const auto& p : c.cells.positions) {
@@ -99,6 +106,15 @@ void stretch_about(Vec2 centre, double ratio, Suspension& cells, int cell) {
     for (int n = cells.first[cell]; n < cells.first[cell + 1]; ++n) {
         cells.x[n] = centre.x + along * (cells.x[n] - centre.x);
         cells.y[n] = centre.y + (cells.y[n] - centre.y) / along;
+    }
+}
+
+/// Puts the nodes of the cell added last elsewhere; its stress-free shape stays.
+void move_last_cell_to(const std::vector<Vec2>& points, Suspension& cells) {
+    const int first = cells.first[cells.cell_count() - 1];
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        cells.x[first + k] = points[k].x;
+        cells.y[first + k] = points[k].y;
     }
 }
 
@@ -137,12 +153,13 @@ void refuse_bad_placements(const Model& m, const Suspension& cells) {
     if (!faults.empty()) throw CaseError(faults);
 }
 
-Suspension suspended_cells(const Case& c, const Model& m) {
+Suspension suspended_cells(const Case& c, const Model& m, const LayoutWatch& watch) {
     Suspension cells;
     if (c.numerics.fluid_only) return cells;
     const std::vector<Vec2> shape = stress_free_shape(c, m.scales.length);
-    for (const Placement& place : placements(c, m, shape)) {
+    for (const Placement& place : placements(c, m, shape, watch)) {
         add_cell(cells, placed(shape, place.angle, place.centre));
+        if (!place.bend.empty()) move_last_cell_to(placed(shape, place), cells);
         if (c.cells.initial_stretch)
             stretch_about(place.centre, *c.cells.initial_stretch, cells, cells.cell_count() - 1);
     }
@@ -174,10 +191,10 @@ void let_nodes_follow(State& state) {
 
 }  // namespace
 
-State initial_state(const Case& c, const Model& model) {
+State initial_state(const Case& c, const Model& model, const LayoutWatch& watch) {
     State state;
     state.populations = Populations(model.lattice, model.precision);
-    state.cells = suspended_cells(c, model);
+    state.cells = suspended_cells(c, model, watch);
     state.drive.body_force = model.drive.body_force;
     // Nothing is nearer than the reach of the contact forces; without them gaps are not measured.
     state.contact.smallest_gap = model.contact.range > 0.0 ? model.contact.range : std::nan("");

@@ -11,57 +11,16 @@
 
 #include "base/units.hpp"
 #include "case/channel_flow.hpp"
+#include "case/fit.hpp"
+#include "case/judge.hpp"
 #include "membrane/in_plane/surface_tension.hpp"
 
 namespace tt {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 /// Tension at which the membrane of a red cell bursts, 6.5 mN/m: the order of Evans et al. (1976),
 /// who found 10 mN/m.
 constexpr double lysis_tension = 6.5e-3;
-
-/// Collects faults at the places of the keys they are about.
-class Judge {
-public:
-    Judge(const Places& places, const std::string& file) : places_(places), file_(file) {}
-
-    bool given(std::string_view path) const { return places_.find(path) != places_.end(); }
-
-    /// Whether any key of a table was given.
-    bool given_any(std::string_view table) const {
-        const auto it = places_.lower_bound(table);
-        return it != places_.end() && it->first.substr(0, table.size()) == table;
-    }
-
-    /// A fault at the first of `paths` that was given; else of the file as a whole.
-    void tell(std::initializer_list<std::string_view> paths, std::string message) {
-        Fault fault{file_, 0, 0, {}};
-        for (const std::string_view path : paths) {
-            const auto it = places_.find(path);
-            if (it == places_.end()) continue;
-            fault = it->second;
-            break;
-        }
-        fault.message = std::move(message);
-        faults.push_back(std::move(fault));
-    }
-
-    /// A key that means nothing here.
-    void forbid(std::string_view path, const std::string& why) {
-        if (given(path))
-            tell({path}, fmt::format("{} means nothing {}; leave it out", key(path), why));
-    }
-
-    static std::string_view key(std::string_view path) { return path.substr(path.rfind('.') + 1); }
-
-    std::vector<Fault> faults;
-
-private:
-    const Places& places_;
-    const std::string& file_;
-};
 
 void judge_exclusive(Judge& judge) {
     for (const Exclusive& exclusive : exclusive_keys) {
@@ -191,67 +150,6 @@ void judge_numerics(Judge& judge) {
                    "[layer] needs both thickness and viscosity");
 }
 
-/// Largest half extent of a cell, at any angle.
-double half_extent(const CellsCase& cells) {
-    if (cells.shape == "ellipse")
-        return cells.radius.si * std::sqrt(cells.aspect_ratio.value_or(1.0));
-    return cells.radius.si * std::sqrt(cells.initial_stretch.value_or(1.0));
-}
-
-/// Area of one cell; nothing for an outline from a file.
-std::optional<double> cell_area(const CellsCase& cells) {
-    const double square = cells.radius.si * cells.radius.si;
-    if (cells.shape == "file") return std::nullopt;
-    // 13.63 µm² at R₀ = 3.91 µm: Evans and Fung (1972).
-    if (cells.shape == "biconcave") return 13.63 / (3.91 * 3.91) * square;
-    return pi * square;
-}
-
-/// What to write where a cell of this size is wider than the box: a radius that fits, or where no
-/// cell is that small, a box.
-std::string fitting_size(const Case& c, double size) {
-    const double across = c.domain.width.si, along = c.domain.length.si;
-    const double radius = 0.8 * std::min(across, along) / size * c.cells.radius.si;
-    if (radius >= smallest_radius)
-        return fmt::format("write radius = \"{}\"", rounded_text(Length{radius}, 2));
-    const double spacing = c.numerics.dx ? c.numerics.dx->si : 0.1 * size;
-    return fmt::format("write {} = \"{}\"", across < along ? "width" : "length",
-                       rounded_text(Length{std::ceil(2.0 * size / spacing) * spacing}, 9));
-}
-
-void judge_fit(Judge& judge, const Case& c) {
-    const CellsCase& cells = c.cells;
-    const double size = 2.0 * half_extent(cells);
-    const double across = c.domain.width.si;
-    const double along = c.domain.length.si;
-    if (size >= std::min(across, along) && cells.shape != "file") {
-        judge.tell({"cells.radius", "domain.width"},
-                   fmt::format("a cell is {} wide and the box {} by {}; it does not fit; {}",
-                               rounded_text(Length{size}), to_text(c.domain.length),
-                               to_text(c.domain.width), fitting_size(c, size)));
-        return;
-    }
-    if (cells.layout == "paper" && 2.0 * size > across)
-        judge.tell({"cells.layout"},
-                   fmt::format("two rows of cells {} wide do not fit into {}",
-                               rounded_text(Length{size}), to_text(c.domain.width)));
-    const auto area = cell_area(cells);
-    if (!area || !cells.count) return;
-    const double hematocrit = static_cast<double>(*cells.count) * *area / (across * along);
-    if (hematocrit > 0.9)
-        judge.tell(
-            {"cells.count"},
-            fmt::format("{} cells would fill {:.0f} % of the box; at most {} fit (90 %); write "
-                        "count = {}",
-                        *cells.count, 100.0 * hematocrit, std::floor(0.9 * across * along / *area),
-                        std::max(1.0, 2.0 * std::floor(0.3 * across * along / *area))));
-    const double rows = std::ceil(static_cast<double>(*cells.count) / 2.0);
-    if (cells.layout == "paper" && hematocrit <= 0.9 && rows * size > along)
-        judge.tell({"cells.count"},
-                   fmt::format("{} cells {} wide in two rows are longer than the box, {}",
-                               *cells.count, rounded_text(Length{size}), to_text(c.domain.length)));
-}
-
 /// Whether the outline of a file has the size of a cell. In another unit than it is read in it is
 /// far too large, and would be made of any number of nodes, or far too small.
 bool judge_outline(Judge& judge, const Case& c) {
@@ -272,30 +170,6 @@ bool judge_outline(Judge& judge, const Case& c) {
     else
         return true;
     return false;
-}
-
-void judge_positions(Judge& judge, const Case& c) {
-    const double radius = half_extent(c.cells);
-    for (const auto& p : c.cells.positions) {
-        if (p.size() != 2) return;
-        if (c.domain.sides == "walls" && c.cells.shape == "circle" &&
-            (p[1].si - radius < 0.0 || p[1].si + radius > c.domain.width.si))
-            judge.tell({"cells.positions"}, fmt::format("the cell at [{}, {}] reaches into a wall",
-                                                        to_text(p[0]), to_text(p[1])));
-    }
-    for (std::size_t i = 0; i < c.cells.positions.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            const auto& p = c.cells.positions[i];
-            const auto& q = c.cells.positions[j];
-            if (p.size() != 2 || q.size() != 2 || c.cells.shape != "circle") return;
-            const double dx = std::remainder(p[0].si - q[0].si, c.domain.length.si);
-            if (std::hypot(dx, p[1].si - q[1].si) >= 2.0 * radius) continue;
-            return judge.tell(
-                {"cells.positions"},
-                fmt::format("cells {} and {} overlap: they are {} apart and {} wide", j + 1, i + 1,
-                            rounded_text(Length{std::hypot(dx, p[1].si - q[1].si)}),
-                            rounded_text(Length{2.0 * radius})));
-        }
 }
 
 void judge_membrane(Judge& judge, const MembraneCase& membrane) {
@@ -452,7 +326,7 @@ std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
                                         const std::string& file) {
     Judge judge(places, file);
     const bool cells_have_size = c.numerics.fluid_only || judge_outline(judge, c);
-    if (!c.numerics.fluid_only) {
+    if (cells_have_size && !c.numerics.fluid_only) {
         judge_fit(judge, c);
         judge_positions(judge, c);
     }

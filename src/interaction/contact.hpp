@@ -115,4 +115,8 @@ struct Overlap {
 /// then nodes.
 std::vector<Overlap> find_overlaps(const Lattice& lattice, const Suspension& cells);
 
+/// Least distance of a node to the outline of another cell or to an image of its own [sites]; the
+/// reach where none is nearer. Negative where cells overlap.
+double smallest_gap(const Lattice& lattice, Suspension cells, double reach);
+
 }  // namespace tt

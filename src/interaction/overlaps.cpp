@@ -51,4 +51,12 @@ std::vector<Overlap> find_overlaps(const Lattice& lattice, const Suspension& cel
     return overlaps;
 }
 
+double smallest_gap(const Lattice& lattice, Suspension cells, double reach) {
+    ContactModel search;  // without a force
+    search.repulsion_range = reach;
+    ContactState contact;
+    add_pair_forces(search, lattice, cells, contact);
+    return contact.smallest_gap;
+}
+
 }  // namespace tt

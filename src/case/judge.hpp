@@ -1,0 +1,56 @@
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "case/validate.hpp"
+
+namespace tt {
+
+/// Collects faults at the places of the keys they are about.
+class Judge {
+public:
+    Judge(const Places& places, const std::string& file) : places_(places), file_(file) {}
+
+    bool given(std::string_view path) const { return places_.find(path) != places_.end(); }
+
+    /// Whether any key of a table was given.
+    bool given_any(std::string_view table) const {
+        const auto it = places_.lower_bound(table);
+        return it != places_.end() && it->first.substr(0, table.size()) == table;
+    }
+
+    /// A fault at the first of `paths` that was given; else of the file as a whole.
+    void tell(std::initializer_list<std::string_view> paths, std::string message) {
+        Fault fault{file_, 0, 0, {}};
+        for (const std::string_view path : paths) {
+            const auto it = places_.find(path);
+            if (it == places_.end()) continue;
+            fault = it->second;
+            break;
+        }
+        fault.message = std::move(message);
+        faults.push_back(std::move(fault));
+    }
+
+    /// A key that means nothing here.
+    void forbid(std::string_view path, const std::string& why) {
+        if (given(path))
+            tell({path}, fmt::format("{} means nothing {}; leave it out", key(path), why));
+    }
+
+    static std::string_view key(std::string_view path) { return path.substr(path.rfind('.') + 1); }
+
+    std::vector<Fault> faults;
+
+private:
+    const Places& places_;
+    const std::string& file_;
+};
+
+}  // namespace tt

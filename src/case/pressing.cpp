@@ -1,0 +1,383 @@
+#include "case/pressing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "membrane/shapes.hpp"
+
+namespace tt {
+namespace {
+
+/// Largest step of a cell in one visit, in reaches of the cell, and largest turn [rad].
+constexpr double longest_step = 0.1;
+/// What outlines may overlap while they still grow, in thicknesses of the cell.
+constexpr double growing_overlap = 0.15;
+/// Share of the gap by which neighbours may come nearer at the end, and below which a cell stays.
+constexpr double tolerance = 0.5, rest = 0.05;
+/// Sweeps without growth after which cells are stuck.
+constexpr int patience = 120;
+/// The softest that cells become before they are found not to fit.
+constexpr double softest = 5e-4;
+
+/// Cut to 2⁻²⁴, so that functions of the C library that differ in their last bit give the same.
+double snapped(double v) { return std::nearbyint(v * 0x1p24) * 0x1p-24; }
+Vec2 snapped(Vec2 v) { return {snapped(v.x), snapped(v.y)}; }
+
+Vec2 turned(Vec2 axis, Vec2 p) {
+    return {axis.x * p.x - axis.y * p.y, axis.y * p.x + axis.x * p.y};
+}
+Vec2 turned_back(Vec2 axis, Vec2 p) { return turned({axis.x, -axis.y}, p); }
+Vec2 turned_left(Vec2 p) { return {-p.y, p.x}; }
+
+/// Turned on by an angle of about 2 t, exactly of unit length but for rounding.
+Vec2 turned_on(Vec2 axis, double t) {
+    const Vec2 spin = Vec2{1.0 - t * t, 2.0 * t} / (1.0 + t * t);
+    const Vec2 on = turned(spin, axis);
+    return on / norm(on);
+}
+
+std::vector<Vec2> coarse(const std::vector<Vec2>& shape) {
+    std::vector<Vec2> points =
+        at_equal_arc_length(shape, std::min(Edges::most, static_cast<int>(shape.size())));
+    for (Vec2& p : points) p = snapped(p);
+    return points;
+}
+
+/// Largest distance of a node of `fine` to the polygon.
+double largest_distance(const std::vector<Vec2>& fine, const std::vector<Vec2>& polygon) {
+    double largest = 0.0;
+    for (const Vec2 p : fine) {
+        double least = HUGE_VAL;
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const Vec2 from = polygon[k], edge = polygon[(k + 1) % polygon.size()] - from;
+            const double along = std::clamp(dot(p - from, edge) / dot(edge, edge), 0.0, 1.0);
+            least = std::min(least, norm(p - from - along * edge));
+        }
+        largest = std::max(largest, least);
+    }
+    return snapped(largest);
+}
+
+}  // namespace
+
+Pressing::Pressing(const std::vector<Vec2>& shape, const Lattice& box, double gap)
+    : box_(box),
+      shape_(coarse(shape)),
+      area_(area_of(shape_)),
+      thickness_(2.0 * area_ / perimeter_of(shape_)),
+      gap_(gap),
+      bulge_(largest_distance(shape, shape_)) {
+    points_ = static_cast<int>(shape_.size());
+    for (const Vec2 p : shape_) {
+        reach_ = std::max(reach_, norm(p));
+        gyration2_ +=
+            0.5 * dot(p, p) / points_;  // of the area; that of the outline is twice as large
+    }
+    dents_.resize(points_);
+    weights_.resize(points_);
+}
+
+void Pressing::add(Vec2 centre, double angle) {
+    const Vec2 axis = snapped({std::cos(angle), std::sin(angle)});
+    Cell cell;
+    cell.centre = centre;
+    cell.axis = axis / norm(axis);
+    cells_.push_back(std::move(cell));
+    for (auto* array : {&x_, &y_, &edge_x_, &edge_y_, &inverse_})
+        array->resize(array->size() + points_);
+    bounds_.emplace_back();
+}
+
+Edges Pressing::edges_of(int cell) const {
+    const std::size_t first = static_cast<std::size_t>(cell) * points_;
+    return {&x_[first], &y_[first], &edge_x_[first], &edge_y_[first], &inverse_[first], points_};
+}
+
+/// Point of the outline in the cell's own frame.
+Vec2 Pressing::at(const std::vector<Vec2>& bend, int point) const {
+    const int k = wrapped(point, points_);
+    return bend.empty() ? scale_ * shape_[k] : scale_ * shape_[k] + bend[k];
+}
+
+/// Sets the outline of a cell from its place.
+void Pressing::draw(int c) {
+    Cell& cell = cells_[c];
+    const std::size_t first = static_cast<std::size_t>(c) * points_;
+    Bounds box{{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}, true};
+    cell.low = {HUGE_VAL, HUGE_VAL};
+    cell.high = {-HUGE_VAL, -HUGE_VAL};
+    for (int k = 0; k < points_; ++k) {
+        const Vec2 own = at(cell.bend, k);
+        cell.low = {std::min(cell.low.x, own.x), std::min(cell.low.y, own.y)};
+        cell.high = {std::max(cell.high.x, own.x), std::max(cell.high.y, own.y)};
+        const Vec2 p = cell.centre + turned(cell.axis, own);
+        x_[first + k] = p.x;
+        y_[first + k] = p.y;
+        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+    }
+    for (int k = 0; k < points_; ++k) {
+        const std::size_t here = first + k, next = k + 1 < points_ ? here + 1 : first;
+        const Vec2 edge{x_[next] - x_[here], y_[next] - y_[here]};
+        edge_x_[here] = edge.x;
+        edge_y_[here] = edge.y;
+        inverse_[here] = 1.0 / dot(edge, edge);
+    }
+    bounds_[c] = box;
+    cell.stirred = sweeps_;
+}
+
+void Pressing::scale_by(double factor) {
+    scale_ *= factor;
+    for (int c = 0; c < cell_count(); ++c) {
+        for (Vec2& p : cells_[c].bend) p *= factor;
+        draw(c);
+    }
+}
+
+/// Looks at each cell in turn; returns by how much the deepest comes too near.
+double Pressing::sweep() {
+    bins_.sort(box_, bounds_, gap_ + 2.0 * bulge_ + 4.0 * longest_step * scale_ * reach_);
+    double deepest = 0.0;
+    for (int c = 0; c < cell_count(); ++c) deepest = std::max(deepest, visit(c));
+    ++sweeps_;
+    return deepest;
+}
+
+/// Nothing around the cell has changed since it was looked at, so nothing pressed on it then.
+bool Pressing::undisturbed(int cell) const {
+    std::int64_t stirred = cells_[cell].stirred;
+    for (const Neighbour& other : near_) stirred = std::max(stirred, cells_[other.cell].stirred);
+    return stirred < cells_[cell].visited;
+}
+
+/// Moves a cell out of the way of its neighbours, half as far as there is to go: they do the same.
+double Pressing::visit(int c) {
+    bins_.near(c, near_);
+    Cell& cell = cells_[c];
+    if (undisturbed(c)) return 0.0;
+    cell.visited = sweeps_;
+    ++visits_;
+    deepest_ = 0.0;
+    step_ = {};
+    turn_ = 0.0;
+    std::fill(dents_.begin(), dents_.end(), Vec2{});
+    std::fill(weights_.begin(), weights_.end(), 0.0);
+    for (const Neighbour& other : near_) {
+        find_pushes(c, other.cell, other.shift);
+        yield(c, 0.5);
+    }
+    if (box_.walls) {
+        find_wall_pushes(c);
+        yield(c, 1.0);
+    }
+    if (deepest_ < rest * gap_ && cell.bend.empty()) return deepest_;
+    const double most = longest_step * scale_ * reach_, length = norm(step_);
+    cell.centre += (length > most ? most / length : 1.0) * step_;
+    cell.axis = turned_on(cell.axis, 0.5 * std::clamp(turn_, -longest_step, longest_step));
+    if (spring_ < 1.0) bend(c);
+    draw(c);
+    return deepest_;
+}
+
+/// False where the point is too far from the box around an outline, which lies as the cell does.
+bool Pressing::near_outline(int c, Vec2 point, double reach) const {
+    const Cell& cell = cells_[c];
+    const Vec2 own = turned_back(cell.axis, point - cell.centre);
+    return own.x > cell.low.x - reach && own.x < cell.high.x + reach &&
+           own.y > cell.low.y - reach && own.y < cell.high.y + reach;
+}
+
+/// Where the outlines of a cell and of another, moved by `shift`, come too near: at the nodes of
+/// either.
+void Pressing::find_pushes(int cell, int other, Vec2 shift) {
+    const double reach = gap_ + 2.0 * bulge_;
+    const Bounds &a = bounds_[cell], &b = bounds_[other];
+    const Vec2 low{std::max(a.low.x, b.low.x + shift.x) - reach,
+                   std::max(a.low.y, b.low.y + shift.y) - reach};
+    const Vec2 high{std::min(a.high.x, b.high.x + shift.x) + reach,
+                    std::min(a.high.y, b.high.y + shift.y) + reach};
+    if (low.x > high.x || low.y > high.y) return;
+    const auto between = [&](Vec2 p) {
+        return p.x > low.x && p.x < high.x && p.y > low.y && p.y < high.y;
+    };
+    const Edges mine = edges_of(cell), others = edges_of(other);
+    for (int k = 0; k < points_; ++k) {
+        const Vec2 here = mine.node(k), there = others.node(k) + shift;
+        if (between(here) && near_outline(other, here - shift, reach))
+            if (const auto push = push_from(others, here - shift, reach))
+                pushes_.push_back({k, 0.0, -push->move});
+        if (between(there) && near_outline(cell, there, reach))
+            if (const auto push = push_from(mine, there, reach)) pushes_.push_back(*push);
+    }
+}
+
+void Pressing::find_wall_pushes(int cell) {
+    const double reach = gap_ + bulge_;
+    const Edges mine = edges_of(cell);
+    for (int k = 0; k < points_; ++k) {
+        if (mine.y[k] < reach) pushes_.push_back({k, 0.0, {0.0, reach - mine.y[k]}});
+        if (mine.y[k] > box_.ny - reach)
+            pushes_.push_back({k, 0.0, {0.0, box_.ny - reach - mine.y[k]}});
+    }
+}
+
+/// Adds to the step and turn of a cell what the pushes of one neighbour ask for: the mean of them,
+/// weighted by their depth, acts on the mean of their points. A push that has an arm b about the
+/// centre moves the cell by 1 / (1 + b²/k²) of it and turns it for the rest, k the radius of
+/// gyration.
+void Pressing::yield(int cell, double share) {
+    const Edges mine = edges_of(cell);
+    Vec2 move, point;
+    double total = 0.0;
+    for (const Push& push : pushes_) {
+        const double depth = norm(push.move);
+        deepest_ = std::max(deepest_, depth);
+        move += depth * push.move;
+        point += depth *
+                 (mine.node(push.edge) + push.along * mine.edge(push.edge) - cells_[cell].centre);
+        total += depth;
+        if (spring_ < 1.0) dent(cell, push);
+    }
+    pushes_.clear();
+    const double size2 = dot(move, move);
+    if (!(size2 > 0.0)) return;
+    const double moment = cross(point, move) / (total * total);
+    const double inertia = scale_ * scale_ * gyration2_;
+    const double arm2 = moment * moment * total * total / size2;
+    step_ += share / (1.0 + arm2 / inertia) / total * move;
+    turn_ += share * moment / (inertia + arm2);
+}
+
+void Pressing::dent(int cell, const Push& push) {
+    const Vec2 move = turned_back(cells_[cell].axis, push.move);
+    const auto add = [&](int k, double weight) {
+        dents_[k] += weight * move;
+        weights_[k] += weight;
+    };
+    add(push.edge, 1.0 - push.along);
+    add(wrapped(push.edge + 1, points_), push.along);
+}
+
+/// Bends a cell where it is pressed.
+void Pressing::bend(int c) {
+    Cell& cell = cells_[c];
+    if (cell.bend.empty()) cell.bend.resize(points_);
+    for (int k = 0; k < points_; ++k) cell.bend[k] += 0.5 / std::max(1.0, weights_[k]) * dents_[k];
+    spring_back(cell.bend);
+    hold_lengths(cell.bend);
+    hand_over_motion(cell);
+    hold_area(cell.bend);
+}
+
+/// Towards the shape at rest, and towards the neighbouring points.
+void Pressing::spring_back(std::vector<Vec2>& bend) const {
+    const double smoothing = 2.5 * std::min(spring_, 0.1);
+    const Vec2 first = bend[0];
+    Vec2 before = bend[points_ - 1];
+    for (int k = 0; k < points_; ++k) {
+        const Vec2 here = bend[k], after = k + 1 < points_ ? bend[k + 1] : first;
+        bend[k] = (1.0 - spring_) * (here + smoothing * (before + after - 2.0 * here));
+        before = here;
+    }
+}
+
+void Pressing::hold_lengths(std::vector<Vec2>& bend) const {
+    constexpr double share = 0.4;  // of the error, by each end
+    for (int k = 0; k < points_; ++k) {
+        const Vec2 edge = at(bend, k + 1) - at(bend, k);
+        const double length = norm(edge);
+        const double wanted = scale_ * norm(shape_[wrapped(k + 1, points_)] - shape_[k]);
+        const Vec2 move = share * (wanted - length) / length * edge;
+        bend[wrapped(k + 1, points_)] += move;
+        bend[k] -= move;
+    }
+}
+
+/// The part of the bend that is a motion of the whole cell.
+void Pressing::hand_over_motion(Cell& cell) const {
+    Vec2 mean;
+    for (const Vec2 p : cell.bend) mean += p / points_;
+    double spin = 0.0, inertia = 0.0;
+    for (int k = 0; k < points_; ++k) {
+        cell.bend[k] -= mean;
+        spin += cross(shape_[k], cell.bend[k]);
+        inertia += dot(shape_[k], shape_[k]);
+    }
+    spin /= inertia;
+    for (int k = 0; k < points_; ++k) cell.bend[k] -= spin * turned_left(shape_[k]);
+    cell.centre += turned(cell.axis, mean);
+    cell.axis = turned_on(cell.axis, 0.5 * spin / scale_);
+}
+
+void Pressing::hold_area(std::vector<Vec2>& bend) const {
+    double area = 0.0, length = 0.0;
+    std::vector<Vec2> normals(points_);
+    for (int k = 0; k < points_; ++k) {
+        const Vec2 before = at(bend, k - 1), here = at(bend, k), after = at(bend, k + 1);
+        area += 0.5 * cross(here, after);
+        length += norm(after - here);
+        normals[k] = turned_right(after - before) / norm(after - before);
+    }
+    const double swell = (scale_ * scale_ * area_ - area) / length;
+    for (int k = 0; k < points_; ++k) bend[k] += swell * normals[k];
+}
+
+/// Rigid cells begin to bend; soft ones become twice as soft, and the gap smaller. False: they are
+/// as soft as they become.
+bool Pressing::soften() {
+    if (spring_ == 1.0) {
+        spring_ = 0.1;
+        return true;
+    }
+    if (spring_ < softest) return false;
+    spring_ *= 0.5;
+    gap_ *= 0.8;
+    return true;
+}
+
+/// Factor of the next growth: as much overlap as may be.
+double Pressing::growth_step() const {
+    const double advance = std::max(growing_overlap * scale_ * thickness_, tolerance * gap_);
+    return std::min(1.0 / scale_, 1.0 + advance / (scale_ * reach_));
+}
+
+bool Pressing::grow_from(double scale, const Watch& watch) {
+    scale_ = scale;
+    for (int c = 0; c < cell_count(); ++c) draw(c);
+    for (int waited = 0;;) {
+        const double deepest = sweep();
+        if (watch) watch(scale_ * scale_);
+        const double allowed =
+            tolerance * gap_ + (scale_ < 1.0 ? growing_overlap * scale_ * thickness_ : 0.0);
+        if (deepest <= allowed) {
+            if (scale_ >= 1.0) return true;
+            scale_by(growth_step());
+            waited = 0;
+        } else if (++waited > patience) {
+            if (!soften()) return false;
+            waited = 0;
+        }
+    }
+}
+
+double Pressing::press(double scale, const Watch& watch) {
+    if (grow_from(scale, watch)) return 1.0;
+    for (int waited = patience;;) {
+        if (sweep() <= tolerance * gap_) return scale_;
+        if (watch) watch(scale_ * scale_);
+        if (++waited < patience) continue;
+        scale_by(0.995);
+        waited = 0;
+    }
+}
+
+std::vector<Placement> Pressing::cells() const {
+    std::vector<Placement> placements;
+    placements.reserve(cells_.size());
+    for (const Cell& cell : cells_)
+        placements.push_back({cell.centre, std::atan2(cell.axis.y, cell.axis.x), cell.bend});
+    return placements;
+}
+
+}  // namespace tt
