@@ -42,9 +42,9 @@ struct Appraisal {
     double contact_distance = 0.0;  ///< of zero force, in sites; 0: no contact model
     double start_turn_deg = 0.0;    ///< largest between neighbouring segments of the first shapes
     double start_radius = 0.0;      ///< their smallest radius of curvature, in sites
-    double smallest_gap = 0.0;   ///< between membranes at the start, in sites; at most gap_reach
-    double wall_distance = 0.0;  ///< of the nearest membrane at the start, in sites
-    double start_stretch = 0.0;  ///< largest |l / l₀ − 1| of a segment at the start
+    double smallest_gap = 0.0;      ///< between membranes at the start, in sites; at most gap_reach
+    double wall_distance = 0.0;     ///< of the nearest membrane at the start, in sites
+    double start_stretch = 0.0;     ///< largest |l / l₀ − 1| of a segment at the start
     double tau_plasma = 0.0, tau_cytoplasm = 0.0;
     double shear_number = 0.0;       ///< G = μ k a / E_s (Eq. 19)
     double cell_reynolds = 0.0;      ///< ρ k a² / μ, physical

@@ -69,10 +69,16 @@ std::string size_text(const Extent& extent) {
 std::string cure(const Case& c, const std::vector<Vec2>& rest, const Extent& extent) {
     constexpr double room = 0.985;  // a film of plasma to each wall
     const double most = room / extent.fill(c.domain);
-    std::string text = c.cells.shape == "file"
-                           ? fmt::format("one of {:.3g} times its size does", most)
-                           : fmt::format("write radius = \"{}\"",
-                                         rounded_text(Length{most * c.cells.radius.si}, 3));
+    const double radius = most * c.cells.radius.si;
+    std::string text = fmt::format("write radius = \"{}\"", rounded_text(Length{radius}, 3));
+    if (c.cells.shape == "file") text = fmt::format("one of {:.3g} times its size does", most);
+    if (c.cells.shape != "file" && radius < smallest_radius) {
+        const bool wide = extent.across() / c.domain.width.si > extent.along() / c.domain.length.si;
+        const double size = wide ? extent.across() : extent.along();
+        const double spacing = c.numerics.dx ? c.numerics.dx->si : 0.1 * size;
+        text = fmt::format("write {} = \"{}\"", wide ? "width" : "length",
+                           rounded_text(Length{std::ceil(2.0 * size / spacing) * spacing}, 9));
+    }
     if (c.cells.layout == "random") return text;
     const double angle = roomiest_angle(rest, c);
     if (extent_at(rest, c.cells, angle).fill(c.domain) < room)
@@ -105,8 +111,10 @@ bool judge_number(Judge& judge, const Case& c, double share) {
     const double hematocrit = static_cast<double>(*c.cells.count) * share;
     if (hematocrit <= 0.9) return true;
     judge.tell({"cells.count"},
-               fmt::format("{} cells would fill {:.0f} % of the box; at most {} fit (90 %)",
-                           *c.cells.count, 100.0 * hematocrit, std::floor(0.9 / share)));
+               fmt::format("{} cells would fill {:.0f} % of the box; at most {} fit (90 %); write "
+                           "count = {}",
+                           *c.cells.count, 100.0 * hematocrit, std::floor(0.9 / share),
+                           std::max(1.0, 2.0 * std::floor(0.3 / share))));
     return false;
 }
 
