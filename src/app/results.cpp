@@ -58,6 +58,7 @@ int export_results(const ResultsOptions& options) {
     } else if (options.to == "png") {
         if (!can_draw()) throw IoError(std::string(no_gnuplot));
         const std::vector<Results> runs{read_results(directory)};
+        for (const std::string& fault : runs.front().faults) tell_user("tanktread: {}\n", fault);
         draw_figures(runs, out);
     } else {
         throw CommandError(fmt::format("--to {} is not one of vtk, csv, png", options.to));

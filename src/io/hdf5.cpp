@@ -45,15 +45,43 @@ Id open_attribute(hid_t where, const std::string& name) {
     return checked(H5Aopen(where, name.c_str(), H5P_DEFAULT), H5Aclose, "find the attribute", name);
 }
 
+/// Without the time of day: the same frames make the same bytes.
+Id creation() {
+    Id properties = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "prepare", "a dataset");
+    expect(H5Pset_obj_track_times(properties, false) >= 0, "prepare", "a dataset");
+    return properties;
+}
+
+Id create_dataset(hid_t where, const std::string& name, hid_t type, hid_t space, hid_t properties) {
+    return checked(
+        H5Dcreate2(where, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT),
+        H5Dclose, "create the dataset", name);
+}
+
+Id open_dataset(hid_t where, const std::string& name) {
+    be_quiet();
+    return checked(H5Dopen2(where, name.c_str(), H5P_DEFAULT), H5Dclose, "find the dataset", name);
+}
+
 void put_dataset(hid_t where, const std::string& name, const std::vector<hsize_t>& shape,
                  hid_t type, const void* values, const std::string& unit) {
-    const Id space = simple_space(shape);
-    const Id dataset =
-        checked(H5Dcreate2(where, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                H5Dclose, "create the dataset", name);
+    const Id dataset = create_dataset(where, name, type, simple_space(shape), creation());
     expect(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0, "write the dataset",
            name);
     if (!unit.empty()) write_attribute(dataset, "unit", unit);
+}
+
+void append_value(hid_t where, const std::string& name, hid_t type, const void* value) {
+    const Id dataset = open_dataset(where, name);
+    hsize_t count = 0;
+    H5Sget_simple_extent_dims(checked(H5Dget_space(dataset), H5Sclose, "size", name), &count,
+                              nullptr);
+    const hsize_t one = 1, more = count + 1;
+    expect(H5Dset_extent(dataset, &more) >= 0, "extend", name);
+    const Id space = checked(H5Dget_space(dataset), H5Sclose, "size", name);
+    expect(H5Sselect_hyperslab(space, H5S_SELECT_SET, &count, nullptr, &one, nullptr) >= 0 &&
+               H5Dwrite(dataset, type, simple_space({1}), space, H5P_DEFAULT, value) >= 0,
+           "append to", name);
 }
 
 template <class T>
@@ -98,18 +126,6 @@ std::string image(hid_t file) {
     return bytes;
 }
 
-Id create_file(const std::filesystem::path& path) {
-    be_quiet();
-    return checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
-                   "create", path.string());
-}
-
-Id open_file(const std::filesystem::path& path) {
-    be_quiet();
-    return checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open",
-                   path.string());
-}
-
 Id create_group(hid_t where, const std::string& name) {
     return checked(H5Gcreate2(where, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
                    "create the group", name);
@@ -122,6 +138,20 @@ Id open_group(hid_t where, const std::string& name) {
 
 bool exists(hid_t where, const std::string& name) {
     return H5Lexists(where, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<std::string> names_in(hid_t group) {
+    H5G_info_t info{};
+    expect(H5Gget_info(group, &info) >= 0, "count", "a group");
+    std::vector<std::string> names;
+    for (hsize_t k = 0; k < info.nlinks; ++k) {
+        char name[64] = "";
+        expect(H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, k, name, sizeof name,
+                                  H5P_DEFAULT) > 0,
+               "name", "an entry of a group");
+        names.emplace_back(name);
+    }
+    return names;
 }
 
 void write_attribute(hid_t where, const std::string& name, double value) {
@@ -186,11 +216,30 @@ void write_dataset(hid_t where, const std::string& name, std::span<const std::in
     put_dataset(where, name, {values.size()}, H5T_NATIVE_INT32, values.data(), "");
 }
 
+void write_dataset(hid_t where, const std::string& name, std::span<const std::int64_t> values) {
+    put_dataset(where, name, {values.size()}, H5T_NATIVE_INT64, values.data(), "");
+}
+
+void create_growing(hid_t where, const std::string& name, hid_t type, const std::string& unit) {
+    const hsize_t none = 0, any = H5S_UNLIMITED, piece = 512;
+    const Id properties = creation();
+    expect(H5Pset_chunk(properties, 1, &piece) >= 0, "prepare", name);
+    const Id space = checked(H5Screate_simple(1, &none, &any), H5Sclose, "create an array", name);
+    const Id dataset = create_dataset(where, name, type, space, properties);
+    if (!unit.empty()) write_attribute(dataset, "unit", unit);
+}
+
+void append(hid_t where, const std::string& name, double value) {
+    append_value(where, name, H5T_NATIVE_DOUBLE, &value);
+}
+
+void append(hid_t where, const std::string& name, std::int64_t value) {
+    append_value(where, name, H5T_NATIVE_INT64, &value);
+}
+
 template <class T>
 Dataset<T> read_dataset(hid_t where, const std::string& name) {
-    be_quiet();
-    const Id dataset =
-        checked(H5Dopen2(where, name.c_str(), H5P_DEFAULT), H5Dclose, "find the dataset", name);
+    const Id dataset = open_dataset(where, name);
     const Id space = checked(H5Dget_space(dataset), H5Sclose, "read the dataset", name);
     Dataset<T> result;
     result.shape.resize(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
@@ -210,11 +259,6 @@ void link_external(hid_t where, const std::string& name, const std::string& file
     expect(H5Lcreate_external(file.c_str(), object.c_str(), where, name.c_str(), H5P_DEFAULT,
                               H5P_DEFAULT) >= 0,
            "link", file);
-}
-
-void copy(hid_t from, hid_t to, const std::string& name) {
-    expect(H5Ocopy(from, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT) >= 0, "copy",
-           name);
 }
 
 }  // namespace tt::hdf5

@@ -37,15 +37,16 @@ private:
 };
 
 /// A file that exists in memory only; `image` hands out its bytes. HDF5 then never writes to a disk
-/// itself, and a full disk is met by code that checks (`replace_file`).
+/// itself, and a full disk is met by code that checks (`replace_file`). Files on a disk:
+/// io/hdf5_driver.hpp.
 Id create_in_memory();
 std::string image(hid_t file);
 
-Id create_file(const std::filesystem::path& path);
-Id open_file(const std::filesystem::path& path);
 Id create_group(hid_t where, const std::string& name);
 Id open_group(hid_t where, const std::string& name);
 bool exists(hid_t where, const std::string& name);
+/// Names of all that a group holds, in order.
+std::vector<std::string> names_in(hid_t group);
 
 void write_attribute(hid_t where, const std::string& name, double value);
 void write_attribute(hid_t where, const std::string& name, std::int64_t value);
@@ -62,6 +63,11 @@ void write_dataset(hid_t where, const std::string& name, const std::vector<hsize
 void write_dataset(hid_t where, const std::string& name, const std::vector<hsize_t>& shape,
                    std::span<const float> values, const std::string& unit);
 void write_dataset(hid_t where, const std::string& name, std::span<const std::int32_t> values);
+void write_dataset(hid_t where, const std::string& name, std::span<const std::int64_t> values);
+/// One-dimensional datasets that grow.
+void create_growing(hid_t where, const std::string& name, hid_t type, const std::string& unit);
+void append(hid_t where, const std::string& name, double value);
+void append(hid_t where, const std::string& name, std::int64_t value);
 
 /// A dataset's values and its shape. IoError if it is absent.
 template <class T>
@@ -79,9 +85,6 @@ extern template Dataset<std::int32_t> read_dataset(hid_t, const std::string&);
 /// folder.
 void link_external(hid_t where, const std::string& name, const std::string& file,
                    const std::string& object);
-
-/// Copies `name` of `from`, links resolved, to the same name in `to`.
-void copy(hid_t from, hid_t to, const std::string& name);
 
 /// IoError naming the file unless the HDF5 call succeeded.
 void expect(bool ok, const char* what, const std::string& name);

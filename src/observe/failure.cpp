@@ -39,7 +39,7 @@ Json to_json(const Instability& what) {
 
 void write_frames(const fs::path& folder, const std::string& name, const Model& model,
                   const LastGood& good, State& failing) {
-    FramesWriter frames(folder, frames_header(model, failing, name), 0);
+    FramesWriter frames(folder, frames_header(model, failing, name), {});
     if (good.any()) {
         State before = good.state();
         derive(model, before);

@@ -1,5 +1,7 @@
 #include "observe/frame_recorder.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/error.hpp"
@@ -74,22 +76,36 @@ FrameRecorder::FrameRecorder(const Schedule& schedule, const std::filesystem::pa
                              FramesHeader header, std::function<void(const std::string&)> say)
     : Observer(schedule), directory_(directory), header_(std::move(header)), say_(std::move(say)) {}
 
-void FrameRecorder::start() { writer_.emplace(directory_, header_, 0); }
+void FrameRecorder::start() { writer_.emplace(directory_, header_, std::vector<FrameTime>{}); }
 
 void FrameRecorder::resume(const ArchiveReader& archive) {
-    writer_.emplace(directory_, header_, archive.value<std::int64_t>("frames.count"));
+    const auto time = archive.take<double>("frames.time");
+    const auto step = archive.take<std::int64_t>("frames.step");
+    std::vector<FrameTime> kept;
+    for (std::size_t k = 0; k < std::min(time.size(), step.size()); ++k)
+        kept.push_back({time[k], step[k]});
+    writer_.emplace(directory_, header_, kept);
 }
 
 void FrameRecorder::observe(const Snapshot& snapshot) { writer_->write(frame_of(snapshot)); }
 
+void FrameRecorder::sync() { writer_->sync(); }
+
 void FrameRecorder::save(ArchiveOutput& archive) const {
     archive.put_value("frames.interval", schedule().interval());
-    archive.put_value("frames.count", writer_->count());
+    std::vector<double> time;
+    std::vector<std::int64_t> step;
+    for (const FrameTime& when : writer_->times()) {
+        time.push_back(when.time);
+        step.push_back(when.step);
+    }
+    archive.put("frames.time", time);
+    archive.put("frames.step", step);
 }
 
 void FrameRecorder::finish() {
     try {
-        writer_->merge();
+        for (const std::string& fault : writer_->merge()) say_(fault);
     } catch (const IoError& error) {
         // Nothing is lost: frames.h5 reads the same as an index of the folder frames/.
         say_(fmt::format("frames.h5 stays an index of the folder frames/: {}", error.what()));

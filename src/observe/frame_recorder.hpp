@@ -24,6 +24,7 @@ public:
     void start() override;
     void resume(const ArchiveReader& archive) override;
     void observe(const Snapshot& snapshot) override;
+    void sync() override;
     void save(ArchiveOutput& archive) const override;
     void finish() override;
 

@@ -5,22 +5,16 @@
 namespace tt {
 
 Series::Series(const Schedule& schedule, const std::filesystem::path& directory)
-    : Observer(schedule), directory_(directory) {}
+    : Observer(schedule), series_(directory, "series"), cells_(directory, "cells") {}
 
 void Series::start() {
-    series_.emplace(directory_ / "series.csv", OutputFile::Mode::append);
-    series_->cut(0);
-    series_->append(csv_header<RunMeasures>());
-    cells_.emplace(directory_ / "cells.csv", OutputFile::Mode::append);
-    cells_->cut(0);
-    cells_->append(csv_header<CellMeasures>());
+    series_.start(csv_header<RunMeasures>());
+    cells_.start(csv_header<CellMeasures>());
 }
 
 void Series::resume(const ArchiveReader& archive) {
-    series_.emplace(directory_ / "series.csv", OutputFile::Mode::append);
-    series_->cut(archive.value<std::int64_t>("series.size"));
-    cells_.emplace(directory_ / "cells.csv", OutputFile::Mode::append);
-    cells_->cut(archive.value<std::int64_t>("cells.size"));
+    series_.resume(archive);
+    cells_.resume(archive);
     last_time_ = archive.value<double>("series.last_time");
     phase_ = archive.take<double>("series.phase");
     last_rate_ = archive.take<double>("series.last_rate");
@@ -44,18 +38,18 @@ std::vector<CellMeasures> Series::with_phase(const Snapshot& snapshot) {
 void Series::observe(const Snapshot& snapshot) {
     std::string rows;
     for (const CellMeasures& cell : with_phase(snapshot)) rows += csv_row(cell);
-    cells_->append(rows);
-    series_->append(csv_row(snapshot.run()));
+    cells_.append(rows);
+    series_.append(csv_row(snapshot.run()));
 }
 
 void Series::sync() {
-    series_->sync();
-    cells_->sync();
+    series_.sync();
+    cells_.sync();
 }
 
 void Series::save(ArchiveOutput& archive) const {
-    archive.put_value("series.size", series_->size());
-    archive.put_value("cells.size", cells_->size());
+    series_.save(archive);
+    cells_.save(archive);
     archive.put_value("series.interval", schedule().interval());
     archive.put_value("series.last_time", last_time_);
     archive.put("series.phase", phase_);

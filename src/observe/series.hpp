@@ -1,11 +1,10 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <vector>
 
-#include "io/file.hpp"
 #include "observe/observer.hpp"
+#include "observe/table_file.hpp"
 
 namespace tt {
 
@@ -25,8 +24,7 @@ public:
 private:
     std::vector<CellMeasures> with_phase(const Snapshot& snapshot);
 
-    std::filesystem::path directory_;
-    std::optional<OutputFile> series_, cells_;
+    TableFile series_, cells_;
     double last_time_ = 0.0;
     std::vector<double> phase_, last_rate_;  ///< per cell; empty before the first look
 };

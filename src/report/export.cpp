@@ -1,8 +1,11 @@
 #include "report/export.hpp"
 
+#include <memory>
+
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/tell.hpp"
 #include "io/file.hpp"
 #include "io/vtk.hpp"
 #include "report/frames.hpp"
@@ -14,19 +17,19 @@ namespace {
 namespace fs = std::filesystem;
 constexpr double um = 1e6, ms = 1e3;  ///< per metre, per second
 
-/// Throws IoError if there is no frame to export.
-FramesReader open_frames(const fs::path& directory) {
+/// The frames of a results directory; tells what is damaged. Throws IoError if there is none to
+/// export.
+std::unique_ptr<const FramesReader> open_frames(const fs::path& directory) {
     if (!fs::is_directory(directory))
         throw IoError(directory.string() + ": no such results directory");
     const fs::path path = directory / "frames.h5";
-    if (fs::exists(path)) return FramesReader(path);
-    throw IoError(path.string() +
-                  ": does not exist; nothing to export (did the run write frames?)");
-}
-
-void require_frames(const FramesReader& frames, const fs::path& directory) {
-    if (frames.count() == 0)
-        throw IoError((directory / "frames.h5").string() + ": holds no frame yet");
+    if (!fs::exists(path))
+        throw IoError(path.string() +
+                      ": does not exist; nothing to export (did the run write frames?)");
+    auto frames = std::make_unique<const FramesReader>(path);
+    for (const std::string& fault : frames->faults()) tell_user("tanktread: {}\n", fault);
+    if (frames->count() == 0) throw IoError(path.string() + ": holds no frame that can be read");
+    return frames;
 }
 
 /// Three components, as VTK wants vectors, of x, y pairs.
@@ -122,16 +125,16 @@ fields_NNNNNN.csv  sites of the lattice, row after row from the bottom wall
 }  // namespace
 
 void export_vtk(const fs::path& directory, const fs::path& out) {
-    const FramesReader frames = open_frames(directory);
-    require_frames(frames, directory);
+    const auto opened = open_frames(directory);
+    const FramesReader& frames = *opened;
     make_directory(out / "flow");
     make_directory(out / "cells");
     const std::vector<double> first_lengths = segment_lengths(frames.header(), frames.frame(0));
     std::vector<PvdEntry> flow, cells;
     for (int k = 0; k < frames.count(); ++k) {
         const Frame frame = frames.frame(k);
-        flow.push_back({frame.time * ms, fmt::format("flow/flow_{:06d}.vti", k)});
-        cells.push_back({frame.time * ms, fmt::format("cells/cells_{:06d}.vtp", k)});
+        flow.push_back({frame.time * ms, fmt::format("flow/flow_{:06d}.vti", frames.number(k))});
+        cells.push_back({frame.time * ms, fmt::format("cells/cells_{:06d}.vtp", frames.number(k))});
         write_flow(out / flow.back().file, frames.header(), frame);
         write_cells(out / cells.back().file, frames.header(), frame, first_lengths);
     }
@@ -140,15 +143,18 @@ void export_vtk(const fs::path& directory, const fs::path& out) {
 }
 
 void export_csv(const fs::path& directory, const fs::path& out) {
-    const FramesReader frames = open_frames(directory);
-    require_frames(frames, directory);
+    const auto opened = open_frames(directory);
+    const FramesReader& frames = *opened;
     make_directory(out);
     std::string index = "frame,time [s],step\n";
     for (int k = 0; k < frames.count(); ++k) {
         const Frame frame = frames.frame(k);
-        index += fmt::format("{},{:.10g},{}\n", k, frame.time, frame.step);
-        write_text(out / fmt::format("nodes_{:06d}.csv", k), nodes_table(frames.header(), frame));
-        write_text(out / fmt::format("fields_{:06d}.csv", k), fields_table(frames.header(), frame));
+        const std::int64_t number = frames.number(k);
+        index += fmt::format("{},{:.10g},{}\n", number, frame.time, frame.step);
+        write_text(out / fmt::format("nodes_{:06d}.csv", number),
+                   nodes_table(frames.header(), frame));
+        write_text(out / fmt::format("fields_{:06d}.csv", number),
+                   fields_table(frames.header(), frame));
     }
     write_text(out / "frames.csv", index);
     write_text(out / "README.txt", csv_readme);

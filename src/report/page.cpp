@@ -131,6 +131,8 @@ std::string introduction(std::span<const Results> runs, const std::vector<std::s
         const std::string note = unfinished_note(runs[r]);
         if (!note.empty()) text += "<p class=\"notice\">" + name + html(note) + "</p>\n";
         text += failure_section(runs[r], labels[r]);
+        for (const std::string& fault : runs[r].faults)
+            text += "<p class=\"notice\">" + name + html(fault) + "</p>\n";
     }
     return text;
 }

@@ -1,6 +1,7 @@
 #include "report/report.hpp"
 
 #include "base/error.hpp"
+#include "base/tell.hpp"
 #include "io/file.hpp"
 #include "report/figures.hpp"
 #include "report/page.hpp"
@@ -13,6 +14,8 @@ std::filesystem::path write_report(std::span<const std::filesystem::path> direct
     std::vector<Results> runs;
     for (const std::filesystem::path& directory : directories)
         runs.push_back(read_results(directory));
+    for (const Results& run : runs)
+        for (const std::string& fault : run.faults) tell_user("tanktread: {}\n", fault);
     std::filesystem::path place = out;
     if (place.empty())
         place = directories.size() == 1 ? directories.front() : std::filesystem::path("comparison");

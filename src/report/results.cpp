@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "io/file.hpp"
+#include "io/table_sums.hpp"
 #include "io/toml.hpp"
 
 namespace tt {
@@ -22,7 +23,34 @@ Json json_if_there(const fs::path& path) {
     return fs::exists(path) ? read_json(path) : Json::object();
 }
 
-Table table_if_there(const fs::path& path) { return fs::exists(path) ? read_csv(path) : Table{}; }
+/// A table that is damaged is told and left out.
+Table read_table(const fs::path& directory, const char* name, std::vector<std::string>& faults) {
+    const fs::path path = directory / name;
+    if (!fs::exists(path)) return {};
+    std::string fault;
+    try {
+        fault = table_fault(directory, name);
+        if (fault.empty()) return read_csv(path);
+    } catch (const IoError& error) {
+        fault = fmt::format("{} is damaged: {}", path.string(), error.what());
+    }
+    faults.push_back(fault + "; it is left out");
+    return {};
+}
+
+/// nullptr if they are not there or cannot be read.
+std::shared_ptr<const FramesReader> read_frames(const fs::path& path,
+                                                std::vector<std::string>& faults) {
+    if (!fs::exists(path)) return nullptr;
+    try {
+        auto frames = std::make_shared<const FramesReader>(path);
+        faults.insert(faults.end(), frames->faults().begin(), frames->faults().end());
+        return frames;
+    } catch (const IoError& error) {
+        faults.emplace_back(error.what());
+        return nullptr;
+    }
+}
 
 /// A value as a person would write it, without quotes.
 std::string shown(const TomlNode& value) {
@@ -81,8 +109,8 @@ void gather(const Json& json, Results& results) {
 void read_failure(const fs::path& folder, Results& r) {
     r.failure = json_if_there(folder / "failure.json");
     if (fs::exists(folder / "why.txt")) r.why = read_file(folder / "why.txt");
-    if (fs::exists(folder / "frames.h5"))
-        r.failing = std::make_shared<const FramesReader>(folder / "frames.h5");
+    r.failing = read_frames(folder / "frames.h5", r.faults);
+    if (r.failing && r.failing->count() == 0) r.failing = nullptr;
 }
 
 std::string case_name(const Results& results) {
@@ -109,11 +137,10 @@ Results read_results(const fs::path& directory) {
     r.summary = json_if_there(directory / "summary.json");
     gather(r.summary, r);
     r.checks = read_checks(directory);
-    r.series = table_if_there(directory / "series.csv");
-    r.cells = table_if_there(directory / "cells.csv");
-    r.profiles = table_if_there(directory / "profiles.csv");
-    if (fs::exists(directory / "frames.h5"))
-        r.frames = std::make_shared<const FramesReader>(directory / "frames.h5");
+    r.series = read_table(directory, "series.csv", r.faults);
+    r.cells = read_table(directory, "cells.csv", r.faults);
+    r.profiles = read_table(directory, "profiles.csv", r.faults);
+    r.frames = read_frames(directory / "frames.h5", r.faults);
     read_failure(directory / "failure", r);
     if (r.settings.empty() && r.series.names.empty() && !r.frames)
         throw IoError(

@@ -39,6 +39,7 @@ struct Results {
     Json failure;                                 ///< of a run that blew up; else empty
     std::string why;                              ///< the same in words
     std::shared_ptr<const FramesReader> failing;  ///< its last good and its failing state
+    std::vector<std::string> faults;              ///< what is damaged and left out, in words
 
     /// A setting as its text, or `otherwise`.
     std::string setting(const std::string& key, const std::string& otherwise = "") const;
@@ -46,7 +47,7 @@ struct Results {
 };
 
 /// Reads what is there. Throws IoError if the directory does not exist or holds neither a case nor
-/// any results, or if a file in it is damaged.
+/// any results, or if one of its JSON or TOML files is damaged.
 Results read_results(const std::filesystem::path& directory);
 
 /// The values of a column; empty if the table has no such column.

@@ -13,7 +13,7 @@ if cmake -S "$source" -B "$folder" -DCMAKE_FIND_ROOT_PATH="$folder/nothing" "${o
     exit 1
 fi
 line=$(grep "apt-get install" "$folder/log")
-for package in libfmt-dev libhdf5-dev nlohmann-json3-dev libcli11-dev libeigen3-dev libtomlplusplus-dev libxxhash-dev \
+for package in libfmt-dev libhdf5-dev nlohmann-json3-dev libcli11-dev libeigen3-dev libtomlplusplus-dev libxxhash-dev zlib1g-dev \
                libgtest-dev librapidcheck-dev; do
     grep -q -w -e "$package" <<<"$line" || { echo "$package is not in: $line"; exit 1; }
 done

@@ -4,6 +4,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import warnings
 
 import numpy as np
 
@@ -55,6 +56,47 @@ class Reader(unittest.TestCase):
             with self.assertRaises(AttributeError):
                 frame.temperature
         np.testing.assert_allclose(times, [0, 40e-3, 80e-3])
+
+    def test_frames_are_a_sequence_and_outlive_the_loop(self):
+        run = self.invent("--frames", "3")
+        frames = run.frames()
+        self.assertEqual(len(frames), 3)
+        last = list(frames)[-1]
+        self.assertEqual(last.nodes.shape, (160, 2))
+        for same in (run.frame(2), run.frame(-1), frames[-1], frames[1:][-1]):
+            np.testing.assert_array_equal(same.nodes, last.nodes)
+            self.assertEqual((same.number, same.step), (2, last.step))
+        with self.assertRaises(IndexError):
+            run.frame(3)
+        self.assertEqual([frame.number for frame in reversed(frames)], [2, 1, 0])
+
+    def test_damaged_frames_are_left_out_with_a_warning(self):
+        run = self.invent("--frames", "3")
+        path = run.directory / "frames.h5"
+        sound = path.read_bytes()
+        true = {frame.number: frame for frame in run.frames()}
+        for k in range(60):
+            damaged = bytearray(sound)
+            at = (k * 104729 + 97) % len(sound)
+            if k % 3 == 0:
+                damaged[at] ^= 1 << k % 8
+            elif k % 3 == 1:
+                damaged[at:at + 512] = bytes(len(damaged[at:at + 512]))
+            else:
+                del damaged[at:]
+            if damaged == sound:
+                continue
+            path.write_bytes(damaged)
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                try:
+                    frames = list(run.frames())
+                except OSError:
+                    continue
+            self.assertTrue(told or len(frames) == 3)
+            for frame in frames:
+                np.testing.assert_array_equal(frame.nodes, true[frame.number].nodes)
+                np.testing.assert_array_equal(frame.velocity, true[frame.number].velocity)
 
     def test_unfinished_run_gives_what_there_is(self):
         run = self.invent("--stage", "running")

@@ -1,10 +1,14 @@
 #include "io/frames.hpp"
 
+#include <csignal>
 #include <cstdlib>
+
+#include <sys/resource.h>
 
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "base/random.hpp"
 #include "io/file.hpp"
 #include "temporary_directory.hpp"
 
@@ -39,6 +43,12 @@ Frame frame(int number) {
     return f;
 }
 
+std::vector<FrameTime> times(int count) {
+    std::vector<FrameTime> kept;
+    for (int number = 0; number < count; ++number) kept.push_back({number * 1e-3, number * 1000});
+    return kept;
+}
+
 void expect_frames(const std::filesystem::path& path, int count) {
     const FramesReader reader(path);
     EXPECT_EQ(reader.header().name, "two cells");
@@ -55,7 +65,7 @@ void expect_frames(const std::filesystem::path& path, int count) {
 }
 
 TEST_F(Frames, can_be_read_after_each_one_and_after_the_merge) {
-    FramesWriter writer(directory(), header(), 0);
+    FramesWriter writer(directory(), header(), {});
     for (int number = 0; number < 3; ++number) {
         writer.write(frame(number));
         expect_frames(path("frames.h5"), number + 1);
@@ -67,10 +77,10 @@ TEST_F(Frames, can_be_read_after_each_one_and_after_the_merge) {
 
 TEST_F(Frames, those_after_the_checkpoint_are_dropped_on_resume) {
     {
-        FramesWriter writer(directory(), header(), 0);
+        FramesWriter writer(directory(), header(), {});
         for (int number = 0; number < 4; ++number) writer.write(frame(number));
     }
-    FramesWriter resumed(directory(), header(), 2);
+    FramesWriter resumed(directory(), header(), times(2));
     expect_frames(path("frames.h5"), 2);
     resumed.write(frame(2));
     expect_frames(path("frames.h5"), 3);
@@ -78,11 +88,11 @@ TEST_F(Frames, those_after_the_checkpoint_are_dropped_on_resume) {
 
 TEST_F(Frames, a_merged_file_can_be_continued) {
     {
-        FramesWriter writer(directory(), header(), 0);
+        FramesWriter writer(directory(), header(), {});
         for (int number = 0; number < 3; ++number) writer.write(frame(number));
         writer.merge();
     }
-    FramesWriter resumed(directory(), header(), 2);
+    FramesWriter resumed(directory(), header(), times(2));
     expect_frames(path("frames.h5"), 2);
     resumed.write(frame(2));
     resumed.write(frame(3));
@@ -95,11 +105,131 @@ TEST_F(Frames, a_damaged_file_is_an_error_and_no_crash) {
     EXPECT_THROW(FramesReader{path("frames.h5")}, IoError);
 }
 
+/// The frames that can be read are true; whether anything was told.
+bool expect_true_frames(const std::filesystem::path& path) {
+    try {
+        const FramesReader reader(path);
+        for (int k = 0; k < reader.count(); ++k) {
+            const Frame read = reader.frame(k), sound = frame(static_cast<int>(reader.number(k)));
+            EXPECT_EQ(read.step, sound.step);
+            EXPECT_EQ(read.time, sound.time);
+            EXPECT_EQ(read.nodes, sound.nodes);
+            EXPECT_EQ(read.node_force, sound.node_force);
+            EXPECT_EQ(read.velocity, sound.velocity);
+            EXPECT_EQ(read.pressure, sound.pressure);
+        }
+        return !reader.faults().empty();
+    } catch (const IoError&) {
+        return true;
+    }
+}
+
+/// Flips a bit, cuts, or zeroes a piece; `number` picks kind and place.
+std::string damaged(std::string bytes, int number) {
+    Random random(static_cast<std::uint64_t>(number) + 1);
+    const auto at =
+        static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(bytes.size())));
+    const std::size_t length = std::min<std::size_t>(number % 2 ? 64 : 4096, bytes.size() - at);
+    if (number % 3 == 0) bytes[at] = static_cast<char>(bytes[at] ^ 1 << number % 8);
+    if (number % 3 == 1) bytes.resize(at);
+    if (number % 3 == 2) bytes.replace(at, length, length, '\0');
+    return bytes;
+}
+
+/// 450 on demand: TANKTREAD_DAMAGES=450
+int damages() {
+    const char* const asked = std::getenv("TANKTREAD_DAMAGES");
+    return asked ? std::atoi(asked) : 24;
+}
+
+TEST_F(Frames, every_damage_is_told_and_no_damaged_frame_is_read) {
+    {
+        FramesWriter writer(directory(), header(), {});
+        for (int number = 0; number < 5; ++number) writer.write(frame(number));
+        const auto part = path("frames/000003.h5");
+        for (const auto& file : {part, path("frames.h5")}) {
+            const std::string sound = read_file(file);
+            for (int number = 0; number < damages(); ++number) {
+                const std::string bytes = damaged(sound, number);
+                if (bytes == sound) continue;
+                replace_file(file, bytes, Durability::process);
+                EXPECT_TRUE(expect_true_frames(path("frames.h5"))) << file << ' ' << number;
+                if (file == part) {
+                    EXPECT_EQ(FramesReader(path("frames.h5")).count(), 4);
+                } else {  // only an index
+                    EXPECT_EQ(FramesReader(path("frames.h5")).count(), 5);
+                }
+            }
+            replace_file(file, sound, Durability::process);
+        }
+        writer.merge();
+    }
+    const std::string sound = read_file(path("frames.h5"));
+    for (int number = 0; number < damages(); ++number) {
+        const std::string bytes = damaged(sound, number);
+        if (bytes == sound) continue;
+        replace_file(path("frames.h5"), bytes, Durability::process);
+        EXPECT_TRUE(expect_true_frames(path("frames.h5"))) << number;
+    }
+}
+
+TEST_F(Frames, a_damaged_one_costs_only_itself_and_is_kept_beside) {
+    FramesWriter writer(directory(), header(), {});
+    for (int number = 0; number < 4; ++number) writer.write(frame(number));
+    replace_file(path("frames/000002.h5"), "", Durability::process);
+    const std::vector<std::string> faults = writer.merge();
+    ASSERT_EQ(faults.size(), 2u);
+    EXPECT_NE(faults[0].find("000002.h5 is damaged and left out"), std::string::npos) << faults[0];
+    EXPECT_NE(faults[1].find("lacks frame 2"), std::string::npos) << faults[1];
+    const FramesReader reader(path("frames.h5"));
+    ASSERT_EQ(reader.count(), 3);
+    EXPECT_EQ(reader.number(2), 3);
+    EXPECT_EQ(reader.frame(2).nodes, frame(3).nodes);
+    EXPECT_TRUE(std::filesystem::exists(path("frames/000002.h5")));
+    EXPECT_FALSE(std::filesystem::exists(path("frames/000003.h5")));
+}
+
+/// A size limit fails the writes beyond it, wherever in HDF5 they come from.
+TEST_F(Frames, a_write_error_at_any_place_of_the_merge_leaves_all_as_it_was) {
+    FramesWriter writer(directory(), header(), {});
+    for (int number = 0; number < 6; ++number) writer.write(frame(number));
+    const auto old_action = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    for (rlim_t limit = 0; limit < 12000; limit += 377) {
+        const rlimit size{limit, before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &size);
+        EXPECT_THROW(writer.merge(), IoError) << limit;
+        setrlimit(RLIMIT_FSIZE, &before);
+        expect_frames(path("frames.h5"), 6);
+        EXPECT_FALSE(std::filesystem::exists(path("frames.h5.tmp")));
+    }
+    std::signal(SIGXFSZ, old_action);
+    writer.merge();
+    expect_frames(path("frames.h5"), 6);
+}
+
+TEST_F(Frames, are_the_same_bytes_when_written_in_pieces) {
+    std::string whole;
+    {
+        FramesWriter writer(directory(), header(), {});
+        for (int number = 0; number < 5; ++number) writer.write(frame(number));
+        writer.merge();
+        whole = read_file(path("frames.h5"));
+    }
+    FramesWriter(directory(), header(), times(4)).write(frame(4));
+    FramesWriter resumed(directory(), header(), times(3));
+    resumed.write(frame(3));
+    resumed.write(frame(4));
+    resumed.merge();
+    EXPECT_TRUE(read_file(path("frames.h5")) == whole);
+}
+
 TEST_F(Frames, are_what_h5py_expects) {
     const std::string python = "/usr/bin/python3";
     ASSERT_EQ(std::system((python + " -c 'import h5py' 2>/dev/null").c_str()), 0)
         << "python3-h5py is missing; ./check installs it";
-    FramesWriter writer(directory(), header(), 0);
+    FramesWriter writer(directory(), header(), {});
     writer.write(frame(0));
     writer.write(frame(1));
     const std::string script =
@@ -112,6 +242,7 @@ TEST_F(Frames, are_what_h5py_expects) {
         "    assert g.attrs['time'] == 1e-3 and g.attrs['step'] == 1000 and "
         "g['nodes'].attrs['unit'] == 'm'\n"
         "    assert g['nodes'].shape == (5, 2) and g['nodes'][4, 1] == 11.0\n"
+        "    assert list(f['time']) == [0, 1e-3] and list(f['step']) == [0, 1000]\n"
         "    assert g['velocity'].shape == (3, 4, 2) and g['velocity'].dtype == 'float32'\n";
     replace_file(path("read.py"), script, Durability::process);
     const std::string read =

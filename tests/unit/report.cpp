@@ -61,6 +61,25 @@ TEST(Report, comparison_has_runs_side_by_side_and_raises_overlaps) {
     EXPECT_FALSE(fs::exists(scratch / "good" / "report.html"));
 }
 
+TEST(Report, damaged_frames_and_tables_are_left_out_and_told_on_the_page) {
+    ScratchFolder scratch;
+    invent_results(scratch / "run", "--frames 3");
+    const fs::path frames = scratch / "run" / "frames.h5", cells = scratch / "run" / "cells.csv";
+    std::string bytes = text_of(frames);
+    bytes[bytes.size() * 3 / 5] ^= 1;
+    std::ofstream(frames, std::ios::binary) << bytes;
+    std::string table = text_of(cells);
+    table[table.size() / 2] = 'x';
+    std::ofstream(cells, std::ios::binary) << table;
+    const std::array<fs::path, 1> runs{scratch / "run"};
+    const std::string page = text_of(write_report(runs));
+    EXPECT_NE(page.find("frames.h5 is damaged: frame 1 left out"), std::string::npos);
+    EXPECT_NE(page.find("cells.csv is damaged: "), std::string::npos);
+    export_csv(scratch / "run", scratch / "csv");
+    EXPECT_TRUE(fs::exists(scratch / "csv" / "nodes_000002.csv"));
+    EXPECT_FALSE(fs::exists(scratch / "csv" / "nodes_000001.csv"));
+}
+
 TEST(Report, unfinished_runs_say_how_far_they_came) {
     ScratchFolder scratch;
     invent_results(scratch / "running", "--stage running");

@@ -1,0 +1,132 @@
+#include "io/frames_format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+
+namespace tt::frames {
+namespace {
+
+bool is_number(const std::string& text) {
+    return !text.empty() && text.size() < 16 &&
+           text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// IoError unless the header can be one: its numbers set the sizes of all that is read next.
+void examine(const FramesHeader& header) {
+    const auto& first = header.first;
+    const bool sound = header.nx > 0 && header.ny > 0 && header.dx > 0.0 && header.length > 0.0 &&
+                       std::isfinite(header.length) && !first.empty() && first.front() == 0 &&
+                       std::is_sorted(first.begin(), first.end());
+    hdf5::expect(sound, "make sense of", "the header of the frames");
+}
+
+template <class T>
+std::vector<T> read_values(hid_t group, const char* name, std::size_t count) {
+    std::vector<T> values = hdf5::read_dataset<T>(group, name).values;
+    hdf5::expect(values.size() == count, "read as many values as it should of", name);
+    return values;
+}
+
+}  // namespace
+
+namespace fs = std::filesystem;
+
+std::string group_name(std::int64_t number) { return fmt::format("frames/{:06d}", number); }
+
+fs::path folder_of(const fs::path& frames_h5) { return frames_h5.parent_path() / "frames"; }
+
+fs::path merged_part(const fs::path& folder) { return folder / "merged.h5"; }
+
+void write_header(hid_t file, const FramesHeader& header, Kind kind) {
+    hdf5::write_attribute(file, "name", header.name);
+    hdf5::write_attribute(file, "dx", header.dx);
+    hdf5::write_attribute(file, "dt", header.dt);
+    hdf5::write_attribute(file, "lengths", std::array{header.length, header.width});
+    hdf5::write_attribute(file, "nx", static_cast<std::int64_t>(header.nx));
+    hdf5::write_attribute(file, "ny", static_cast<std::int64_t>(header.ny));
+    hdf5::write_attribute(file, "merged", static_cast<std::int64_t>(kind));
+    hdf5::write_dataset(file, "first", header.first);
+    hdf5::create_group(file, "frames");
+}
+
+FramesHeader read_header(hid_t file) {
+    FramesHeader header;
+    header.name = hdf5::read_text(file, "name");
+    header.dx = hdf5::read_double(file, "dx");
+    header.dt = hdf5::read_double(file, "dt");
+    const std::vector<double> lengths = hdf5::read_doubles(file, "lengths");
+    hdf5::expect(lengths.size() == 2, "read two values of", "lengths");
+    header.length = lengths[0];
+    header.width = lengths[1];
+    header.nx = static_cast<int>(hdf5::read_integer(file, "nx"));
+    header.ny = static_cast<int>(hdf5::read_integer(file, "ny"));
+    header.first = hdf5::read_dataset<std::int32_t>(file, "first").values;
+    examine(header);
+    return header;
+}
+
+Kind kind_of(hid_t file) {
+    return hdf5::read_integer(file, "merged") == 0 ? Kind::index : Kind::whole;
+}
+
+void write_frame(hid_t file, const FramesHeader& header, const Frame& frame, std::int64_t number) {
+    const hdf5::Id group = hdf5::create_group(file, group_name(number));
+    hdf5::write_attribute(group, "time", frame.time);
+    hdf5::write_attribute(group, "step", frame.step);
+    const auto nodes = static_cast<hsize_t>(header.first.back());
+    const auto nx = static_cast<hsize_t>(header.nx);
+    const auto ny = static_cast<hsize_t>(header.ny);
+    hdf5::write_dataset(group, "nodes", {nodes, 2}, frame.nodes, "m");
+    hdf5::write_dataset(group, "node_force", {nodes, 2}, frame.node_force, "N/m");
+    hdf5::write_dataset(group, "node_velocity", {nodes, 2}, frame.node_velocity, "m/s");
+    hdf5::write_dataset(group, "velocity", {ny, nx, 2}, frame.velocity, "m/s");
+    hdf5::write_dataset(group, "pressure", {ny, nx}, frame.pressure, "Pa");
+    hdf5::write_dataset(group, "cytoplasm", {ny, nx}, frame.cytoplasm, "1");
+}
+
+Frame read_frame(hid_t file, const FramesHeader& header, std::int64_t number) {
+    const hdf5::Id group = hdf5::open_group(file, group_name(number));
+    const auto nodes = static_cast<std::size_t>(header.first.back());
+    const std::size_t sites =
+        static_cast<std::size_t>(header.nx) * static_cast<std::size_t>(header.ny);
+    Frame frame;
+    frame.time = hdf5::read_double(group, "time");
+    frame.step = hdf5::read_integer(group, "step");
+    frame.nodes = read_values<double>(group, "nodes", 2 * nodes);
+    frame.node_force = read_values<double>(group, "node_force", 2 * nodes);
+    frame.node_velocity = read_values<double>(group, "node_velocity", 2 * nodes);
+    frame.velocity = read_values<float>(group, "velocity", 2 * sites);
+    frame.pressure = read_values<float>(group, "pressure", sites);
+    frame.cytoplasm = read_values<float>(group, "cytoplasm", sites);
+    return frame;
+}
+
+double read_time(hid_t file, std::int64_t number) {
+    return hdf5::read_double(hdf5::open_group(file, group_name(number)), "time");
+}
+
+void write_times(hid_t file, const std::vector<FrameTime>& times) {
+    std::vector<double> seconds;
+    std::vector<std::int64_t> steps;
+    for (const FrameTime& when : times) {
+        seconds.push_back(when.time);
+        steps.push_back(when.step);
+    }
+    hdf5::write_dataset(file, "time", {seconds.size()}, seconds, "s");
+    hdf5::write_dataset(file, "step", steps);
+}
+
+std::vector<std::int64_t> numbers_in(hid_t file) {
+    std::vector<std::int64_t> numbers;
+    for (const std::string& name : hdf5::names_in(hdf5::open_group(file, "frames")))
+        if (is_number(name)) numbers.push_back(std::stoll(name));
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+}
+
+}  // namespace tt::frames
