@@ -105,8 +105,8 @@ bool judge_number(Judge& judge, const Case& c, double share) {
     if (c.cells.hematocrit && *c.cells.hematocrit < 0.5 * share)
         judge.tell({"cells.hematocrit"},
                    fmt::format("hematocrit = {:.3g} % is less than half a cell: one is {:.3g} % of "
-                               "the box; write count = 1, or a longer box",
-                               100.0 * *c.cells.hematocrit, 100.0 * share));
+                               "the box; write hematocrit = \"{:.3g} %\", or a longer box",
+                               100.0 * *c.cells.hematocrit, 100.0 * share, 100.0 * share));
     if (!c.cells.count) return true;
     const double hematocrit = static_cast<double>(*c.cells.count) * share;
     if (hematocrit <= 0.9) return true;

@@ -93,7 +93,7 @@ struct FieldList<FlowCase> {
         FieldEntry{"shear_number",
                    &T::shear_number,
                    "G = mu k a / E_s (Eq. 19), instead of shear_rate",
-                   Range{1e-6, 1e3},
+                   Range{1e-6, 30.0},
                    {},
                    "0.2"},
     };

@@ -117,7 +117,7 @@ TEST(RandomLayout, takes_work_in_proportion_to_the_number_of_cells) {
         const Lattice box = box_for(shape, count, 0.45, side);
         return static_cast<double>(lay_at_random(shape, count, box, 1).visits) / count;
     };
-    EXPECT_LT(visits(800), 2.0 * visits(200));
+    EXPECT_LT(visits(1600), 2.0 * visits(800));
     EXPECT_LT(visits(800), 150.0);
 }
 
