@@ -135,7 +135,7 @@ public:
         const std::vector<double> speeds = in_window("mean_velocity");
         if (speeds.size() < 2) return;
         const double mean = window_statistics(speeds).mean;
-        if (input_.held_rate.si > 0.0) {
+        if (input_.held_rate.si != 0.0) {
             const double rate = window_statistics(in_window("pseudo_shear_rate")).mean;
             const double off = std::abs(rate / input_.held_rate.si - 1.0);
             constexpr double limit = 0.01;
@@ -162,17 +162,20 @@ public:
     void window() {
         double shortest = std::numeric_limits<double>::infinity();
         const char* slowest = nullptr;
+        bool enough = true;  // rows to tell a correlation time of what does scatter
         std::int64_t fewest = std::numeric_limits<std::int64_t>::max();
         for (const char* name : {"strain", "taylor_inertia", "mu_rel", "cfl_envelope"}) {
             const WindowStatistics s = window_statistics(in_window(name));
             if (s.samples > 0) fewest = std::min(fewest, s.samples);
             // What scatters by less than the program is exact needs no average.
-            if (!(s.sd > 0.01 * std::abs(s.mean)) || std::isnan(s.correlation_time)) continue;
+            if (!(s.sd > 0.01 * std::abs(s.mean))) continue;
+            enough = enough && s.samples >= samples_for_error;
+            if (!enough) continue;
             const double times = static_cast<double>(s.samples) / s.correlation_time;
             if (times < shortest) std::tie(shortest, slowest) = std::pair{times, name};
         }
         if (fewest == std::numeric_limits<std::int64_t>::max()) return;
-        add_window(shortest, slowest, 1e3 * input_.window.length());
+        if (enough) add_window(shortest, slowest, 1e3 * input_.window.length());
         const bool few = fewest < samples_for_error;
         add({"standard_error", verdict_of(few, false), static_cast<double>(fewest),
              static_cast<double>(samples_for_error), "",

@@ -100,6 +100,15 @@ TEST_F(Checks, the_mach_number_of_autos_own_step_is_in_order) {
         EXPECT_EQ(judged([=](RunMeasures& m, int) { m.mach = mach; })["mach"].verdict, Verdict::ok);
 }
 
+TEST_F(Checks, a_flow_to_the_left_is_held_as_one_to_the_right) {
+    input.held_rate = Rate{-500.0};
+    const auto leftward = [](double rate) {
+        return [=](RunMeasures& m, int) { m.pseudo_shear_rate.si = rate; };
+    };
+    EXPECT_EQ(judged(leftward(-500.0))["speed"].verdict, Verdict::ok);
+    EXPECT_EQ(judged(leftward(-490.0))["speed"].verdict, Verdict::warning);
+}
+
 TEST_F(Checks, a_flow_that_no_controller_holds_must_be_steady) {
     input.held_rate = Rate{0.0};
     EXPECT_EQ(judged([](RunMeasures& m, int) { m.pseudo_shear_rate.si = 300; })["speed"].verdict,
@@ -122,6 +131,8 @@ TEST_F(Checks, fewer_than_twenty_rows_give_no_standard_error) {
     const RunCheck check = spoilt([](RunMeasures&, int) {});
     EXPECT_EQ(check.name, "standard_error");
     EXPECT_EQ(check.value, 10.0);
+    const auto drifting = judged([](RunMeasures& m, int t) { m.strain = 0.1 + 0.01 * t; });
+    EXPECT_FALSE(drifting.contains("window")) << "nothing can be said of it";
 }
 
 TEST_F(Checks, a_run_without_cells_is_not_judged_by_them) {
