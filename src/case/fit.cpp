@@ -67,7 +67,7 @@ std::string size_text(const Extent& extent) {
 
 /// What to write instead of a cell that does not fit.
 std::string cure(const Case& c, const std::vector<Vec2>& rest, const Extent& extent) {
-    constexpr double room = 0.985;  // a film of plasma to each wall
+    constexpr double room = 0.8;  // a film of plasma to each wall that a grid resolves
     const double most = room / extent.fill(c.domain);
     const double radius = most * c.cells.radius.si;
     std::string text = fmt::format("write radius = \"{}\"", rounded_text(Length{radius}, 3));
