@@ -50,7 +50,7 @@ void change_each(const Case& c, const std::string& path, const Of& of, const See
         const auto deeper = [&of, member = field.member](Case& whole) -> T& {
             return of(whole).*member;
         };
-        if constexpr (Table<T>) {
+        if constexpr (TomlTable<T>) {
             change_each<T>(c, key + ".", deeper, see);
         } else {
             Case changed = c;
