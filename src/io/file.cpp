@@ -7,7 +7,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -22,19 +21,6 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void throw_io(const char* verb, const fs::path& path, int code) {
     throw IoError(fmt::format("cannot {} '{}': {}", verb, path.string(), std::strerror(code)));
-}
-
-void sync_directory(const fs::path& file) {
-    const fs::path directory = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) throw_io("open", directory, errno);
-    // Some file systems cannot sync a directory (EINVAL); the rename itself has succeeded by then.
-    if (::fsync(descriptor) != 0 && errno != EINVAL) {
-        const int code = errno;
-        ::close(descriptor);
-        throw_io("sync", directory, code);
-    }
-    ::close(descriptor);
 }
 
 /// The most bytes that are read into memory.
@@ -131,6 +117,18 @@ void OutputFile::write(const void* bytes, std::size_t count) {
     }
 }
 
+void OutputFile::write_at(std::uint64_t offset, const void* bytes, std::size_t count) {
+    const char* next = static_cast<const char*>(bytes);
+    while (count > 0) {
+        const ssize_t written = ::pwrite(descriptor_, next, count, static_cast<off_t>(offset));
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail("write");
+        next += written;
+        offset += static_cast<std::uint64_t>(written);
+        count -= static_cast<std::size_t>(written);
+    }
+}
+
 void OutputFile::append(std::string_view text) {
     const std::int64_t before = size();
     try {
@@ -164,6 +162,21 @@ void OutputFile::close() {
     if (descriptor >= 0 && ::close(descriptor) != 0) fail("close");
 }
 
+void sync_file(const fs::path& path) { OutputFile(path, OutputFile::Mode::append).sync(); }
+
+void sync_directory(const fs::path& file) {
+    const fs::path directory = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) throw_io("open", directory, errno);
+    // Some file systems cannot sync a directory (EINVAL); the rename itself has succeeded by then.
+    if (::fsync(descriptor) != 0 && errno != EINVAL) {
+        const int code = errno;
+        ::close(descriptor);
+        throw_io("sync", directory, code);
+    }
+    ::close(descriptor);
+}
+
 void move_into_place(const fs::path& from, const fs::path& to, Durability durability) {
     if (::rename(from.c_str(), to.c_str()) != 0) throw_io("replace", to, errno);
     if (durability == Durability::power) sync_directory(to);
@@ -191,18 +204,6 @@ void make_directory(const fs::path& path) {
     std::error_code code;
     fs::create_directories(path, code);
     if (code) throw_io("create the directory", path, code.value());
-}
-
-void expect_room(const fs::path& path, std::uint64_t bytes) {
-    struct rlimit limit {};
-    if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
-        bytes > limit.rlim_cur) {
-        throw_io("write", path, EFBIG);
-    }
-    std::error_code code;
-    const fs::space_info room =
-        fs::space(path.has_parent_path() ? path.parent_path() : fs::path("."), code);
-    if (!code && room.available < bytes) throw_io("write", path, ENOSPC);
 }
 
 }  // namespace tt

@@ -22,6 +22,8 @@ public:
     OutputFile& operator=(OutputFile&&) = delete;
 
     void write(const void* bytes, std::size_t count);
+    /// At any place of a file that was created; in between, bytes are 0.
+    void write_at(std::uint64_t offset, const void* bytes, std::size_t count);
     /// Appends all of `text` or, if that fails, leaves the file as it was and throws.
     void append(std::string_view text);
     /// Returns once the content is on the disk.
@@ -50,6 +52,10 @@ void replace_file(const std::filesystem::path& path, std::string_view bytes, Dur
 void move_into_place(const std::filesystem::path& from, const std::filesystem::path& to,
                      Durability durability);
 
+/// Return once the content of a file, or the directory entry of one, is on the disk.
+void sync_file(const std::filesystem::path& path);
+void sync_directory(const std::filesystem::path& file);
+
 /// Who wrote a file, and hence what it may be.
 enum class Author : std::uint8_t {
     user,    ///< a text: at most 16 MiB, from a file or a pipe that does not keep us waiting
@@ -62,9 +68,5 @@ std::string read_file(const std::filesystem::path& path, Author author = Author:
 
 /// Creates the directory and its parents. IoError if that fails.
 void make_directory(const std::filesystem::path& path);
-
-/// IoError unless `bytes` more could be written beside `path`: asked before a library writes that
-/// checks less than we do.
-void expect_room(const std::filesystem::path& path, std::uint64_t bytes);
 
 }  // namespace tt

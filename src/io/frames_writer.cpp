@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "io/disk.hpp"
+#include "io/file.hpp"
 #include "io/frames_format.hpp"
 
 namespace tt {
@@ -92,9 +92,9 @@ void FramesWriter::write_index() const {
 void FramesWriter::sync() {
     if (unsynced_.empty()) return;
     for (const fs::path& path : unsynced_) sync_file(path);
-    sync_entry(unsynced_.back());
+    sync_directory(unsynced_.back());
     sync_file(index());
-    sync_entry(index());
+    sync_directory(index());
     unsynced_.clear();
 }
 

@@ -162,7 +162,8 @@ Id open_sealed(const SealedFile& file) {
     return id;
 }
 
-GuardedFile::GuardedFile(const std::filesystem::path& path) : file_(path) {
+GuardedFile::GuardedFile(const std::filesystem::path& path)
+    : file_(path, OutputFile::Mode::create) {
     const Id properties = access_through({nullptr, this});
     keep_all_in_memory(properties);
     id_ = Id(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, properties), H5Fclose);

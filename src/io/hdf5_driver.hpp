@@ -3,7 +3,7 @@
 #include <exception>
 #include <filesystem>
 
-#include "io/disk.hpp"
+#include "io/file.hpp"
 #include "io/hdf5.hpp"
 #include "io/sealed_file.hpp"
 
@@ -29,7 +29,7 @@ public:
 private:
     friend struct Access;
 
-    PlacedFile file_;
+    OutputFile file_;
     std::exception_ptr error_;
     Id id_;
 };
