@@ -23,6 +23,9 @@ struct FramesHeader {
     double length = 0.0, width = 0.0;  ///< of the box [m]; attribute `lengths`
     int nx = 0, ny = 0;
     std::vector<std::int32_t> first{0};  ///< nodes of cell c are first[c] … first[c+1]
+    /// Of the segment from each node to its successor, without tension [m]; dataset. Empty in files
+    /// of other writers.
+    std::vector<double> rest_length;
 };
 
 /// One picture of the flow, SI. Group /frames/000000 … of frames.h5 with attributes `time` and

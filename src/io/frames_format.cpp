@@ -21,7 +21,9 @@ void examine(const FramesHeader& header) {
     const auto& first = header.first;
     const bool sound = header.nx > 0 && header.ny > 0 && header.dx > 0.0 && header.length > 0.0 &&
                        std::isfinite(header.length) && !first.empty() && first.front() == 0 &&
-                       std::is_sorted(first.begin(), first.end());
+                       std::is_sorted(first.begin(), first.end()) &&
+                       (header.rest_length.empty() ||
+                        header.rest_length.size() == static_cast<std::size_t>(first.back()));
     hdf5::expect(sound, "make sense of", "the header of the frames");
 }
 
@@ -51,6 +53,7 @@ void write_header(hid_t file, const FramesHeader& header, Kind kind) {
     hdf5::write_attribute(file, "ny", static_cast<std::int64_t>(header.ny));
     hdf5::write_attribute(file, "merged", static_cast<std::int64_t>(kind));
     hdf5::write_dataset(file, "first", header.first);
+    hdf5::write_dataset(file, "rest_length", {header.rest_length.size()}, header.rest_length, "m");
     hdf5::create_group(file, "frames");
 }
 
@@ -66,6 +69,8 @@ FramesHeader read_header(hid_t file) {
     header.nx = static_cast<int>(hdf5::read_integer(file, "nx"));
     header.ny = static_cast<int>(hdf5::read_integer(file, "ny"));
     header.first = hdf5::read_dataset<std::int32_t>(file, "first").values;
+    if (hdf5::exists(file, "rest_length"))
+        header.rest_length = hdf5::read_dataset<double>(file, "rest_length").values;
     examine(header);
     return header;
 }

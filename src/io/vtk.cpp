@@ -67,27 +67,22 @@ void write_vti(const std::filesystem::path& path, int nx, int ny, Vec2 origin, d
 }
 
 void write_vtp(const std::filesystem::path& path, std::span<const Vec2> points,
-               std::span<const int> first, const std::vector<VtkArray>& point_data,
-               const std::vector<VtkArray>& polygon_data) {
+               const VtkElements& lines, const VtkElements& polygons,
+               const std::vector<VtkArray>& point_data, const std::vector<VtkArray>& element_data) {
     std::vector<double> coordinates;
-    std::vector<std::int64_t> connectivity, offsets;
-    for (const Vec2 p : points) {
-        coordinates.insert(coordinates.end(), {p.x, p.y, 0.0});
-        connectivity.push_back(static_cast<std::int64_t>(connectivity.size()));
-    }
-    for (std::size_t c = 1; c < first.size(); ++c) offsets.push_back(first[c]);
-
+    for (const Vec2 p : points) coordinates.insert(coordinates.end(), {p.x, p.y, 0.0});
     AppendedFile file("PolyData");
     file.add(
         fmt::format("<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" "
-                    "NumberOfLines=\"0\" NumberOfStrips=\"0\" "
-                    "NumberOfPolys=\"{}\">\n",
-                    points.size(), offsets.size()));
+                    "NumberOfLines=\"{}\" NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
+                    points.size(), lines.offsets.size(), polygons.offsets.size()));
     file.add("PointData", point_data);
-    file.add("CellData", polygon_data);
+    file.add("CellData", element_data);
     file.add("Points", {vtk_array("Points", 3, coordinates)});
-    file.add("Polys",
-             {vtk_array("connectivity", 1, connectivity), vtk_array("offsets", 1, offsets)});
+    file.add("Lines", {vtk_array("connectivity", 1, lines.connectivity),
+                       vtk_array("offsets", 1, lines.offsets)});
+    file.add("Polys", {vtk_array("connectivity", 1, polygons.connectivity),
+                       vtk_array("offsets", 1, polygons.offsets)});
     file.add("</Piece>\n</PolyData>\n");
     file.save(path);
 }

@@ -39,10 +39,21 @@ VtkArray vtk_array(std::string name, int components, const std::vector<T>& value
 void write_vti(const std::filesystem::path& path, int nx, int ny, Vec2 origin, double spacing,
                const std::vector<VtkArray>& point_data);
 
-/// Polygons (.vtp): points of polygon c are first[c] … first[c+1].
+/// Lines or polygons, each through a list of points.
+struct VtkElements {
+    std::vector<std::int64_t> connectivity;  ///< the lists, one after the other
+    std::vector<std::int64_t> offsets;       ///< where each ends
+
+    void add(std::span<const std::int64_t> list) {
+        connectivity.insert(connectivity.end(), list.begin(), list.end());
+        offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+    }
+};
+
+/// Lines and polygons (.vtp). `element_data` has a value for each line, then for each polygon.
 void write_vtp(const std::filesystem::path& path, std::span<const Vec2> points,
-               std::span<const int> first, const std::vector<VtkArray>& point_data,
-               const std::vector<VtkArray>& polygon_data);
+               const VtkElements& lines, const VtkElements& polygons,
+               const std::vector<VtkArray>& point_data, const std::vector<VtkArray>& element_data);
 
 /// A file of a time series.
 struct PvdEntry {

@@ -69,6 +69,8 @@ FramesHeader frames_header(const Model& model, const State& state, const std::st
     header.nx = model.lattice.nx;
     header.ny = model.lattice.ny;
     header.first = state.cells.first;
+    for (const double length : state.cells.rest_length)
+        header.rest_length.push_back(length * model.scales.length);
     return header;
 }
 

@@ -56,11 +56,7 @@ std::string outlines_text(const FramesHeader& grid, const Frame& frame) {
     for (int cell = 0; cell < cell_count(grid); ++cell) {
         const int begin = grid.first[static_cast<std::size_t>(cell)];
         const int end = grid.first[static_cast<std::size_t>(cell) + 1];
-        const auto by_x = [](Vec2 a, Vec2 b) { return a.x < b.x; };
-        const auto [left, right] =
-            std::minmax_element(nodes.begin() + begin, nodes.begin() + end, by_x);
-        for (const double shift : {-grid.length, 0.0, grid.length}) {
-            if (right->x + shift < 0.0 || left->x + shift > grid.length) continue;
+        for (const double shift : image_shifts(grid, nodes, cell)) {
             for (int k = begin; k <= end; ++k) {
                 const Vec2 p = nodes[static_cast<std::size_t>(k == end ? begin : k)];
                 text += fmt::format("{:.5g} {:.5g} {}\n", (p.x + shift) * 1e6, p.y * 1e6, cell);

@@ -1,8 +1,14 @@
 #include "report/frames.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
+#include "base/tell.hpp"
+
 namespace tt {
+
+namespace fs = std::filesystem;
 
 int nearest_frame(const FramesReader& frames, double time) {
     int nearest = 0;
@@ -40,6 +46,31 @@ std::vector<double> segment_lengths(const FramesHeader& header, const Frame& fra
         }
     }
     return lengths;
+}
+
+std::vector<double> image_shifts(const FramesHeader& header, const std::vector<Vec2>& wrapped,
+                                 int cell) {
+    const auto begin = wrapped.begin() + header.first[static_cast<std::size_t>(cell)];
+    const auto end = wrapped.begin() + header.first[static_cast<std::size_t>(cell) + 1];
+    const auto [left, right] =
+        std::minmax_element(begin, end, [](Vec2 a, Vec2 b) { return a.x < b.x; });
+    std::vector<double> shifts{0.0};
+    for (const double shift : {-header.length, header.length})
+        if (right->x + shift > 0.0 && left->x + shift < header.length) shifts.push_back(shift);
+    return shifts;
+}
+
+std::unique_ptr<const FramesReader> open_frames(const fs::path& directory) {
+    if (!fs::is_directory(directory))
+        throw IoError(directory.string() + ": no such results directory");
+    const fs::path path = directory / "frames.h5";
+    if (!fs::exists(path))
+        throw IoError(path.string() +
+                      ": does not exist; nothing to export (did the run write frames?)");
+    auto frames = std::make_unique<const FramesReader>(path);
+    for (const std::string& fault : frames->faults()) tell_user("tanktread: {}\n", fault);
+    if (frames->count() == 0) throw IoError(path.string() + ": holds no frame that can be read");
+    return frames;
 }
 
 }  // namespace tt

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "base/vec2.hpp"
@@ -16,6 +18,15 @@ std::vector<Vec2> wrapped_nodes(const FramesHeader& header, const Frame& frame);
 
 /// Length of the segment that starts at each node [m].
 std::vector<double> segment_lengths(const FramesHeader& header, const Frame& frame);
+
+/// By how much to move a cell of `wrapped_nodes` along x [m] to draw it and its images that reach
+/// into the box: 0 first, then whole lengths of the box.
+std::vector<double> image_shifts(const FramesHeader& header, const std::vector<Vec2>& wrapped,
+                                 int cell);
+
+/// The frames of a results directory; tells the user what is damaged. Throws IoError if none can be
+/// read.
+std::unique_ptr<const FramesReader> open_frames(const std::filesystem::path& directory);
 
 inline int cell_count(const FramesHeader& header) {
     return static_cast<int>(header.first.size()) - 1;
