@@ -24,6 +24,8 @@ RunRequest request_for(const Case& c, const Choice& choice, const Model& model) 
     request.average_from = c.time.average_from.value_or(Time{0.5 * c.time.end.si});
     request.series = c.output.series;
     request.frames = c.output.frames;
+    request.fields = c.output.fields;
+    request.compress = c.output.compress;
     request.checkpoint = c.output.checkpoint;
     if (!c.numerics.fluid_only && choice.shear_rate.si != 0.0)
         request.shear_number = c.plasma.viscosity.si * std::abs(choice.shear_rate.si) *

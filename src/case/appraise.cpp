@@ -121,8 +121,8 @@ void bound(const Choice& choice, const Model& model, Appraisal& a) {
                         fmt::format("k_p (tau-1/2) dt/mu at {:.3g}", cell_stretch)});
 }
 
-/// frames.h5: three pairs of doubles a node, four floats a site (io/frames.hpp); tables: some 14
-/// bytes a number.
+/// frames.h5: three pairs of doubles a node, four floats a site where there are fields
+/// (io/frames.hpp); tables: some 14 bytes a number.
 void size_output(const Case& c, Appraisal& a) {
     const double end = c.time.end.si;
     const double series = c.output.series ? c.output.series->si : end / 500.0;
@@ -133,7 +133,9 @@ void size_output(const Case& c, Appraisal& a) {
                static_cast<std::int64_t>(std::min(end / interval, static_cast<double>(a.steps)));
     };
     a.frames = times(frames);
-    a.frame_bytes = 48 * a.nodes + 16 * a.sites;
+    const double fields = std::max(c.output.fields ? c.output.fields->si : frames, frames);
+    const std::int64_t with_fields = std::isfinite(fields) ? times(fields) : 0;
+    a.frame_bytes = 48 * a.nodes + 16 * a.sites * with_fields / a.frames;  // mean
     const std::int64_t rows = times(series);
     const std::int64_t checkpoints = 2 * (72 * a.sites + 100 * a.nodes);
     a.disk_bytes = a.frames * a.frame_bytes + rows * 14 * (40 + 22 * a.cells) + checkpoints;

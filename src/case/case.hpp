@@ -155,6 +155,8 @@ struct TimeCase {
 struct OutputCase {
     std::optional<Time> series;      ///< auto: end / 500
     std::optional<Time> frames;      ///< auto: end / 50
+    std::optional<Time> fields;      ///< auto: in every frame; infinite: in none
+    bool compress = false;           ///< frames.h5
     Time checkpoint{300.0};          ///< wall clock
     std::vector<Time> figure_times;  ///< empty: start, a quarter, half, end
 

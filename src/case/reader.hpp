@@ -78,8 +78,14 @@ private:
             read_tables(entry, fmt::format("[{}]", path), result);
         } else {
             if constexpr (is_optional<T>) {
-                if (entry.value.kind == TomlNode::Kind::string && entry.value.text == "auto")
-                    return;
+                const bool word = entry.value.kind == TomlNode::Kind::string;
+                if (word && entry.value.text == "auto") return;
+                if constexpr (is_quantity<item_type<T>>) {
+                    if (word && entry.value.text == "never" && field.choices == "never") {
+                        result.emplace(std::numeric_limits<double>::infinity());
+                        return;
+                    }
+                }
             }
             places[path] = place(entry, entry.line, entry.column);
             read_value(entry, entry.value, text_of(field), result);

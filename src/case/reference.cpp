@@ -55,10 +55,10 @@ KeyLine key_line(const F& field, const T& value) {
     if constexpr (is_quantity<T>) line.required = !field.range.contains(value.si);
     line.example = fmt::format("{} = {}", field.key, sample(field, value, line.required));
     line.meaning = field.meaning;
-    if (field.choices.empty())
-        line.bounds = bounds_text(field.range, unit_of(field.example));
-    else
-        line.bounds = fmt::format("{}", fmt::join(split(field.choices, '|'), " | "));
+    line.bounds = bounds_text(field.range, unit_of(field.example));
+    if (!field.choices.empty())
+        line.bounds += fmt::format("{}{}", line.bounds.empty() ? "" : " | ",
+                                   fmt::join(split(field.choices, '|'), " | "));
     if constexpr (std::is_same_v<item_type<T>, bool>) line.bounds = "true | false";
     if (line.required)
         line.bounds += line.bounds.empty() ? "must be given" : "; must be given";

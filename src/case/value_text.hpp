@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@ inline std::string value_text(double value, std::string_view example) {
 }
 template <Dimension D>
 std::string value_text(Quantity<D> value, std::string_view example) {
+    if (std::isinf(value.si)) return toml_string("never");
     return toml_string(to_text(value.si, unit_of(example)));
 }
 template <class T>

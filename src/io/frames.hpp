@@ -26,6 +26,7 @@ struct FramesHeader {
     /// Of the segment from each node to its successor, without tension [m]; dataset. Empty in files
     /// of other writers.
     std::vector<double> rest_length;
+    bool compressed = false;  ///< of frames to be written
 };
 
 /// One picture of the flow, SI. Group /frames/000000 … of frames.h5 with attributes `time` and
@@ -36,9 +37,10 @@ struct Frame {
     std::vector<double> nodes;          ///< x, y per node [m], unwrapped; shape (N, 2)
     std::vector<double> node_force;     ///< per unit depth [N/m]; (N, 2)
     std::vector<double> node_velocity;  ///< [m/s]; (N, 2)
-    std::vector<float> velocity;        ///< at each site [m/s]; (ny, nx, 2), row 0 at the bottom
-    std::vector<float> pressure;        ///< above its value at rest [Pa]; (ny, nx)
-    std::vector<float> cytoplasm;       ///< fraction of cytoplasm, 0 … 1; (ny, nx)
+    // The fields, all of them or none.
+    std::vector<float> velocity;   ///< at each site [m/s]; (ny, nx, 2), row 0 at the bottom
+    std::vector<float> pressure;   ///< above its value at rest [Pa]; (ny, nx)
+    std::vector<float> cytoplasm;  ///< fraction of cytoplasm, 0 … 1; (ny, nx)
 };
 
 /// When a frame was taken.
@@ -63,6 +65,7 @@ public:
     std::int64_t number(int k) const { return entry(k).number; }
     /// Time [s] of frame k.
     double time(int k) const { return entry(k).time; }
+    bool has_fields(int k) const { return entry(k).has_fields; }
     Frame frame(int k) const;
     /// What is damaged, a sentence each; empty if all is sound.
     const std::vector<std::string>& faults() const { return faults_; }
@@ -73,6 +76,7 @@ private:
     struct Entry {
         std::int64_t number = 0;
         double time = 0.0;
+        bool has_fields = false;
         std::filesystem::path file;
     };
 

@@ -86,12 +86,18 @@ void write_frame(hid_t file, const FramesHeader& header, const Frame& frame, std
     const auto nodes = static_cast<hsize_t>(header.first.back());
     const auto nx = static_cast<hsize_t>(header.nx);
     const auto ny = static_cast<hsize_t>(header.ny);
-    hdf5::write_dataset(group, "nodes", {nodes, 2}, frame.nodes, "m");
-    hdf5::write_dataset(group, "node_force", {nodes, 2}, frame.node_force, "N/m");
-    hdf5::write_dataset(group, "node_velocity", {nodes, 2}, frame.node_velocity, "m/s");
-    hdf5::write_dataset(group, "velocity", {ny, nx, 2}, frame.velocity, "m/s");
-    hdf5::write_dataset(group, "pressure", {ny, nx}, frame.pressure, "Pa");
-    hdf5::write_dataset(group, "cytoplasm", {ny, nx}, frame.cytoplasm, "1");
+    const auto storage = header.compressed ? hdf5::Storage::compressed : hdf5::Storage::plain;
+    const auto write = [&](const char* name, const std::vector<hsize_t>& shape, const auto& values,
+                           const char* unit) {
+        hdf5::write_dataset(group, name, shape, values, unit, storage);
+    };
+    write("nodes", {nodes, 2}, frame.nodes, "m");
+    write("node_force", {nodes, 2}, frame.node_force, "N/m");
+    write("node_velocity", {nodes, 2}, frame.node_velocity, "m/s");
+    if (frame.velocity.empty()) return;
+    write("velocity", {ny, nx, 2}, frame.velocity, "m/s");
+    write("pressure", {ny, nx}, frame.pressure, "Pa");
+    write("cytoplasm", {ny, nx}, frame.cytoplasm, "1");
 }
 
 Frame read_frame(hid_t file, const FramesHeader& header, std::int64_t number) {
@@ -105,14 +111,16 @@ Frame read_frame(hid_t file, const FramesHeader& header, std::int64_t number) {
     frame.nodes = read_values<double>(group, "nodes", 2 * nodes);
     frame.node_force = read_values<double>(group, "node_force", 2 * nodes);
     frame.node_velocity = read_values<double>(group, "node_velocity", 2 * nodes);
+    if (!hdf5::exists(group, "velocity")) return frame;
     frame.velocity = read_values<float>(group, "velocity", 2 * sites);
     frame.pressure = read_values<float>(group, "pressure", sites);
     frame.cytoplasm = read_values<float>(group, "cytoplasm", sites);
     return frame;
 }
 
-double read_time(hid_t file, std::int64_t number) {
-    return hdf5::read_double(hdf5::open_group(file, group_name(number)), "time");
+FrameSummary read_summary(hid_t file, std::int64_t number) {
+    const hdf5::Id group = hdf5::open_group(file, group_name(number));
+    return {hdf5::read_double(group, "time"), hdf5::exists(group, "velocity")};
 }
 
 void write_times(hid_t file, const std::vector<FrameTime>& times) {

@@ -29,7 +29,11 @@ Kind kind_of(hid_t file);
 void write_frame(hid_t file, const FramesHeader& header, const Frame& frame, std::int64_t number);
 /// IoError if the frame is not of the sizes that the header says.
 Frame read_frame(hid_t file, const FramesHeader& header, std::int64_t number);
-double read_time(hid_t file, std::int64_t number);
+struct FrameSummary {
+    double time = 0.0;
+    bool has_fields = false;
+};
+FrameSummary read_summary(hid_t file, std::int64_t number);
 /// Times [s] and steps of the frames of a file, in order, as datasets: for readers that see no
 /// attributes.
 void write_times(hid_t file, const std::vector<FrameTime>& times);

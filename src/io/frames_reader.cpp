@@ -103,10 +103,9 @@ void FramesReader::add_frames(const fs::path& path) {
     std::vector<std::int64_t> damaged;
     for (const std::int64_t number : frames::numbers_in(file.id)) {
         try {
-            const double time = sound && file.bytes.has_seal()
-                                    ? frames::read_time(file.id, number)
-                                    : frames::read_frame(file.id, header_, number).time;
-            entries_.push_back({number, time, path});
+            if (!sound || !file.bytes.has_seal()) frames::read_frame(file.id, header_, number);
+            const auto [time, has_fields] = frames::read_summary(file.id, number);
+            entries_.push_back({number, time, has_fields, path});
         } catch (const std::exception&) {
             damaged.push_back(number);
         }

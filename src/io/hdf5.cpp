@@ -1,5 +1,6 @@
 #include "io/hdf5.hpp"
 
+#include <algorithm>
 #include <atomic>
 
 #include <fmt/format.h>
@@ -64,8 +65,17 @@ Id open_dataset(hid_t where, const std::string& name) {
 }
 
 void put_dataset(hid_t where, const std::string& name, const std::vector<hsize_t>& shape,
-                 hid_t type, const void* values, const std::string& unit) {
-    const Id dataset = create_dataset(where, name, type, simple_space(shape), creation());
+                 hid_t type, const void* values, const std::string& unit, Storage storage) {
+    const Id properties = creation();
+    const bool empty = std::find(shape.begin(), shape.end(), hsize_t{0}) != shape.end();
+    if (storage == Storage::compressed && !empty) {
+        constexpr unsigned fastest = 1;
+        const bool done =
+            H5Pset_chunk(properties, static_cast<int>(shape.size()), shape.data()) >= 0 &&
+            H5Pset_shuffle(properties) >= 0 && H5Pset_deflate(properties, fastest) >= 0;
+        expect(done, "compress", name);
+    }
+    const Id dataset = create_dataset(where, name, type, simple_space(shape), properties);
     expect(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0, "write the dataset",
            name);
     if (!unit.empty()) write_attribute(dataset, "unit", unit);
@@ -203,21 +213,21 @@ std::string read_text(hid_t where, const std::string& name) {
 }
 
 void write_dataset(hid_t where, const std::string& name, const std::vector<hsize_t>& shape,
-                   std::span<const double> values, const std::string& unit) {
-    put_dataset(where, name, shape, H5T_NATIVE_DOUBLE, values.data(), unit);
+                   std::span<const double> values, const std::string& unit, Storage storage) {
+    put_dataset(where, name, shape, H5T_NATIVE_DOUBLE, values.data(), unit, storage);
 }
 
 void write_dataset(hid_t where, const std::string& name, const std::vector<hsize_t>& shape,
-                   std::span<const float> values, const std::string& unit) {
-    put_dataset(where, name, shape, H5T_NATIVE_FLOAT, values.data(), unit);
+                   std::span<const float> values, const std::string& unit, Storage storage) {
+    put_dataset(where, name, shape, H5T_NATIVE_FLOAT, values.data(), unit, storage);
 }
 
 void write_dataset(hid_t where, const std::string& name, std::span<const std::int32_t> values) {
-    put_dataset(where, name, {values.size()}, H5T_NATIVE_INT32, values.data(), "");
+    put_dataset(where, name, {values.size()}, H5T_NATIVE_INT32, values.data(), "", Storage::plain);
 }
 
 void write_dataset(hid_t where, const std::string& name, std::span<const std::int64_t> values) {
-    put_dataset(where, name, {values.size()}, H5T_NATIVE_INT64, values.data(), "");
+    put_dataset(where, name, {values.size()}, H5T_NATIVE_INT64, values.data(), "", Storage::plain);
 }
 
 void create_growing(hid_t where, const std::string& name, hid_t type, const std::string& unit) {

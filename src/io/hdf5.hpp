@@ -57,11 +57,16 @@ std::int64_t read_integer(hid_t where, const std::string& name);
 std::vector<double> read_doubles(hid_t where, const std::string& name);
 std::string read_text(hid_t where, const std::string& name);
 
-/// A dataset of shape `shape`, row after row, and its unit as attribute.
+enum class Storage : std::uint8_t { plain, compressed };
+
+/// A dataset of shape `shape`, row after row, and its unit as attribute. Compressed: one chunk,
+/// bytes shuffled, deflate at its fastest.
 void write_dataset(hid_t where, const std::string& name, const std::vector<hsize_t>& shape,
-                   std::span<const double> values, const std::string& unit);
+                   std::span<const double> values, const std::string& unit,
+                   Storage storage = Storage::plain);
 void write_dataset(hid_t where, const std::string& name, const std::vector<hsize_t>& shape,
-                   std::span<const float> values, const std::string& unit);
+                   std::span<const float> values, const std::string& unit,
+                   Storage storage = Storage::plain);
 void write_dataset(hid_t where, const std::string& name, std::span<const std::int32_t> values);
 void write_dataset(hid_t where, const std::string& name, std::span<const std::int64_t> values);
 /// One-dimensional datasets that grow.

@@ -23,19 +23,27 @@ std::vector<double> interleaved(const std::vector<double>& x, const std::vector<
 
 }  // namespace
 
-Frame frame_of(const Snapshot& snapshot) {
+Frame membranes_of(const Snapshot& snapshot) {
     const State& state = snapshot.state();
-    const Lattice& lattice = snapshot.model().lattice;
     const Scales& scales = snapshot.model().scales;
     const double speed = scales.unit(Velocity::dimension);
-    const double pressure =
-        scales.unit(Pressure::dimension) * d2q9::sound_speed_squared;  // p = c_s² δρ
     Frame frame;
     frame.time = snapshot.time().si;
     frame.step = snapshot.step();
     frame.nodes = interleaved(state.cells.x, state.cells.y, scales.length);
     frame.node_force = interleaved(state.cells.fx, state.cells.fy, scales.unit(Tension::dimension));
     frame.node_velocity = interleaved(state.cells.ux, state.cells.uy, speed);
+    return frame;
+}
+
+Frame frame_of(const Snapshot& snapshot) {
+    Frame frame = membranes_of(snapshot);
+    const State& state = snapshot.state();
+    const Lattice& lattice = snapshot.model().lattice;
+    const Scales& scales = snapshot.model().scales;
+    const double speed = scales.unit(Velocity::dimension);
+    const double pressure =
+        scales.unit(Pressure::dimension) * d2q9::sound_speed_squared;  // p = c_s² δρ
     const std::size_t sites = static_cast<std::size_t>(lattice.nx) * lattice.ny;
     frame.velocity.resize(2 * sites);
     frame.pressure.resize(sites);
@@ -74,9 +82,20 @@ FramesHeader frames_header(const Model& model, const State& state, const std::st
     return header;
 }
 
-FrameRecorder::FrameRecorder(const Schedule& schedule, const std::filesystem::path& directory,
-                             FramesHeader header, std::function<void(const std::string&)> say)
-    : Observer(schedule), directory_(directory), header_(std::move(header)), say_(std::move(say)) {}
+FrameRecorder::FrameRecorder(const Schedule& schedule, std::optional<Schedule> fields,
+                             const std::filesystem::path& directory, FramesHeader header,
+                             std::function<void(const std::string&)> say)
+    : Observer(schedule),
+      fields_(fields),
+      directory_(directory),
+      header_(std::move(header)),
+      say_(std::move(say)) {}
+
+bool FrameRecorder::fields_due(std::int64_t step) const {
+    if (!fields_) return false;
+    const auto& before = writer_->times();
+    return before.empty() || fields_->next_after(before.back().step) <= step;
+}
 
 void FrameRecorder::start() { writer_.emplace(directory_, header_, std::vector<FrameTime>{}); }
 
@@ -89,7 +108,9 @@ void FrameRecorder::resume(const ArchiveReader& archive) {
     writer_.emplace(directory_, header_, kept);
 }
 
-void FrameRecorder::observe(const Snapshot& snapshot) { writer_->write(frame_of(snapshot)); }
+void FrameRecorder::observe(const Snapshot& snapshot) {
+    writer_->write(fields_due(snapshot.step()) ? frame_of(snapshot) : membranes_of(snapshot));
+}
 
 void FrameRecorder::sync() { writer_->sync(); }
 

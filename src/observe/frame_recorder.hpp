@@ -12,14 +12,18 @@ namespace tt {
 
 /// All of one step in SI, as frames.h5 keeps it.
 Frame frame_of(const Snapshot& snapshot);
+/// The same without the fields.
+Frame membranes_of(const Snapshot& snapshot);
 
 /// frames.h5: nodes, their forces and velocities, and the fields of velocity, pressure and
 /// cytoplasm.
 class FrameRecorder : public Observer {
 public:
-    /// `name` is that of the case; `say` takes a message for the log.
-    FrameRecorder(const Schedule& schedule, const std::filesystem::path& directory,
-                  FramesHeader header, std::function<void(const std::string&)> say);
+    /// `fields`: a frame holds the fields if this is due since the one before; nothing: none does.
+    /// `say` takes a message for the log.
+    FrameRecorder(const Schedule& schedule, std::optional<Schedule> fields,
+                  const std::filesystem::path& directory, FramesHeader header,
+                  std::function<void(const std::string&)> say);
 
     void start() override;
     void resume(const ArchiveReader& archive) override;
@@ -29,6 +33,9 @@ public:
     void finish() override;
 
 private:
+    bool fields_due(std::int64_t step) const;
+
+    std::optional<Schedule> fields_;
     std::filesystem::path directory_;
     FramesHeader header_;
     std::function<void(const std::string&)> say_;

@@ -1,6 +1,7 @@
 #include "observe/run_case.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -129,8 +130,13 @@ void CaseRun::add_observers(Time series, Time frames) {
     observers_.push_back(std::make_unique<Series>(looks, path));
     observers_.push_back(
         std::make_unique<ProfileAverage>(looks, path, request_.average_from, model_, tell));
-    observers_.push_back(std::make_unique<FrameRecorder>(
-        Schedule(frames.si, dt), path, frames_header(model_, state_, request_.name), tell));
+    FramesHeader header = frames_header(model_, state_, request_.name);
+    header.compressed = request_.compress;
+    const Time fields = request_.fields.value_or(frames);
+    std::optional<Schedule> with_fields;
+    if (std::isfinite(fields.si)) with_fields.emplace(fields.si, dt);
+    observers_.push_back(
+        std::make_unique<FrameRecorder>(Schedule(frames.si, dt), with_fields, path, header, tell));
 }
 
 void CaseRun::start(const std::function<State()>& initial) {

@@ -33,9 +33,11 @@ struct RunRequest {
     Time end;
     Time average_from;                   ///< start of the averaging window, which ends with the run
     std::optional<Time> series, frames;  ///< intervals; else as so far, or 1/500 and 1/50 of `end`
-    Time checkpoint{300.0};              ///< wall clock
-    std::optional<Time> max_time;        ///< wall clock of this session
-    std::optional<Time> until;  ///< simulated time at which this session stops, before the end
+    std::optional<Time> fields;    ///< of the fields in frames; infinite: in none; else in each
+    bool compress = false;         ///< frames
+    Time checkpoint{300.0};        ///< wall clock
+    std::optional<Time> max_time;  ///< wall clock of this session
+    std::optional<Time> until;     ///< simulated time at which this session stops, before the end
     ProgressMode progress = ProgressMode::automatic;
     Start start = Start::resume;
     HealthLimits limits;
@@ -50,7 +52,7 @@ struct RunOutcome {
     std::int64_t steps = 0;
     std::uint64_t state_hash = 0;  ///< 0 where no checkpoint was left to read it from
     double wall_seconds = 0.0;     ///< all sessions together
-    std::vector<RunCheck> checks;     ///< of a run that is done
+    std::vector<RunCheck> checks;  ///< of a run that is done
 };
 
 /// Runs the case into its results directory, or goes on with it, until its end, a signal,

@@ -57,7 +57,7 @@ nodes_NNNNNN.csv   membrane nodes, counter-clockwise around each cell
                    x, y                    position [m]; x counts on when a cell leaves through an end
                    force_x, force_y        force of the node on the fluid, per unit depth [N/m]
                    velocity_x, velocity_y  [m/s]
-fields_NNNNNN.csv  sites of the lattice, row after row from the bottom wall
+fields_NNNNNN.csv  of the frames that hold fields: sites of the lattice, row after row from the bottom wall
                    x, y                    position [m]; walls stand half a spacing beyond the end rows
                    velocity_x, velocity_y  [m/s]
                    pressure                above its value at rest [Pa]
@@ -92,8 +92,9 @@ void export_csv(const fs::path& directory, const fs::path& out) {
         index += fmt::format("{},{:.10g},{}\n", number, frame.time, frame.step);
         write_text(out / fmt::format("nodes_{:06d}.csv", number),
                    nodes_table(frames.header(), frame));
-        write_text(out / fmt::format("fields_{:06d}.csv", number),
-                   fields_table(frames.header(), frame));
+        if (!frame.velocity.empty())
+            write_text(out / fmt::format("fields_{:06d}.csv", number),
+                       fields_table(frames.header(), frame));
     }
     write_text(out / "frames.csv", index);
     write_text(out / "README.txt", csv_readme);

@@ -13,8 +13,8 @@ namespace tt {
 void export_vtk(const std::filesystem::path& directory, const std::filesystem::path& out);
 
 /// Writes the frames as plain tables in SI: frames.csv (number, time, step), nodes_NNNNNN.csv and
-/// fields_NNNNNN.csv for each frame, and README.txt, which says what each column is. What an
-/// earlier export left in `out` goes. Throws IoError: no frames, cannot write.
+/// fields_NNNNNN.csv for each frame (if it has fields), and README.txt, which says what each column
+/// is. What an earlier export left in `out` goes. Throws IoError: no frames, cannot write.
 void export_csv(const std::filesystem::path& directory, const std::filesystem::path& out);
 
 /// Removes `before`NNNNNN`behind`, six digits or more, from a folder.

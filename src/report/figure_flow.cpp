@@ -139,7 +139,8 @@ std::vector<int> chosen_frames(const Results& run) {
         for (const double share : {0.0, 0.25, 0.5, 1.0})
             wanted.push_back(share * run.frames->time(last));
     std::vector<int> frames;
-    for (const double time : wanted) frames.push_back(nearest_frame(*run.frames, time));
+    for (const double time : wanted)
+        if (const auto k = nearest_field(*run.frames, time)) frames.push_back(*k);
     std::sort(frames.begin(), frames.end());
     frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     return frames;
@@ -149,9 +150,7 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
     if (!run.frames || run.frames->count() == 0) return;
     const FramesHeader& grid = run.frames->header();
     std::vector<Frame> frames;
-    for (const int k : chosen_frames(run))
-        if (Frame frame = run.frames->frame(k); !frame.velocity.empty())
-            frames.push_back(std::move(frame));
+    for (const int k : chosen_frames(run)) frames.push_back(run.frames->frame(k));
     if (frames.empty()) return;
 
     const PanelGrid layout = panel_grid(grid, static_cast<int>(frames.size()));

@@ -52,8 +52,8 @@ struct TimeUnit {
 };
 TimeUnit time_unit(double longest);
 
-/// Frames to show: those nearest to [output] figure_times of the case, else the start, a quarter,
-/// half and the end.
+/// Frames with fields to show: those nearest to [output] figure_times of the case, else the start,
+/// a quarter, half and the end.
 std::vector<int> chosen_frames(const Results& run);
 
 }  // namespace tt

@@ -10,10 +10,11 @@ namespace tt {
 
 namespace fs = std::filesystem;
 
-int nearest_frame(const FramesReader& frames, double time) {
-    int nearest = 0;
-    for (int k = 1; k < frames.count(); ++k)
-        if (std::abs(frames.time(k) - time) < std::abs(frames.time(nearest) - time)) nearest = k;
+std::optional<int> nearest_field(const FramesReader& frames, double time) {
+    std::optional<int> nearest;
+    const auto distance = [&](int k) { return std::abs(frames.time(k) - time); };
+    for (int k = 0; k < frames.count(); ++k)
+        if (frames.has_fields(k) && (!nearest || distance(k) < distance(*nearest))) nearest = k;
     return nearest;
 }
 

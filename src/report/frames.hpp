@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/vec2.hpp"
@@ -9,8 +10,8 @@
 
 namespace tt {
 
-/// The frame nearest to a time [s]. Precondition: there is one.
-int nearest_frame(const FramesReader& frames, double time);
+/// Of the frames that hold fields, the one nearest to a time [s]; nothing if there is none.
+std::optional<int> nearest_field(const FramesReader& frames, double time);
 
 /// Node positions of a frame [m], each cell moved by whole lengths of the box so that the mean of
 /// its nodes lies in 0 ≤ x < length.

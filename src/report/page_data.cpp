@@ -182,13 +182,15 @@ Json player_data(const Results& run, const std::string& label, const PageLimits&
     const double quantum = 1.6 * std::max(header.length, header.width) / 32767.0;
     std::string nodes;
     std::vector<std::vector<double>> speeds;
-    Json times = Json::array(), stretches = Json::array();
+    Json times = Json::array(), stretches = Json::array(), fields = Json::array();
     double fastest = 0.0;
     for (std::size_t k = 0; k < count; k += stride) {
         const Frame frame = run.frames->frame(static_cast<int>(k));
         times.push_back(rounded(frame.time));
         stretches.push_back(stretches_at(run, frame.time, cell_count(header)));
         append_positions(nodes, wrapped_nodes(header, frame), choice.nodes, quantum);
+        fields.push_back(frame.velocity.empty() ? Json(nullptr) : Json(speeds.size()));
+        if (frame.velocity.empty()) continue;
         speeds.push_back(block_speeds(header, frame, block));
         for (const double speed : speeds.back()) fastest = std::max(fastest, speed);
     }
@@ -201,6 +203,7 @@ Json player_data(const Results& run, const std::string& label, const PageLimits&
             {"first", choice.first},
             {"times", times},
             {"stretches", stretches},
+            {"fields", fields},
             {"nodes", base64(nodes)},
             {"columns", header.nx / block},
             {"rows", header.ny / block},

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -180,6 +181,13 @@ TEST(CaseFile, auto_is_the_same_as_leaving_out) {
     EXPECT_EQ(
         tt::parse_case(with(channel, "dx             = \"0.2 um\"", "dx = \"auto\""), "case.toml"),
         tt::parse_case(with(channel, "dx             = \"0.2 um\"", ""), "case.toml"));
+}
+
+TEST(CaseFile, fields_can_be_switched_off) {
+    const tt::Case c = tt::parse_case(channel, "case.toml", {"output.fields=never"}, ".");
+    EXPECT_TRUE(std::isinf(c.output.fields.value().si));
+    EXPECT_NE(tt::to_toml(c).find("fields = \"never\""), std::string::npos);
+    EXPECT_EQ(tt::parse_case(tt::to_toml(c), "resolved.toml"), c);
 }
 
 TEST(CaseFile, name_is_that_of_the_folder_if_none_is_given) {

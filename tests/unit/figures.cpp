@@ -124,11 +124,11 @@ TEST(ReportFrames, wrapping_moves_a_whole_cell_into_the_box) {
     EXPECT_EQ(nodes[1], (Vec2{7.0, 2.0}));
 }
 
-TEST(ReportFrames, nearest_frame_in_time_is_found) {
+TEST(ReportFrames, nearest_frame_with_fields_in_time_is_found) {
     ScratchFolder scratch;
     invent_results(scratch / "run", "--frames 9");
     const Results run = read_results(scratch / "run");
-    EXPECT_EQ(nearest_frame(*run.frames, 21e-3), 2);
+    EXPECT_EQ(nearest_field(*run.frames, 21e-3), 2);
     EXPECT_EQ(chosen_frames(run), (std::vector<int>{0, 2, 4, 8}));
 }
 

@@ -1,12 +1,14 @@
 #include "observe/frame_recorder.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
 #include "fluid/moments.hpp"
 #include "simulation/advance.hpp"
 #include "small_run.hpp"
+#include "temporary_directory.hpp"
 
 namespace tt {
 namespace {
@@ -43,6 +45,29 @@ TEST(FrameOf, holds_the_state_in_SI) {
         }
     }
     EXPECT_GT(std::abs(frame.velocity[0]), 0.0f);
+}
+
+/// Frames every 25 steps of 200.
+std::vector<int> frames_with_fields(const std::filesystem::path& directory, double interval) {
+    RunRequest request = small_request(directory, 200);
+    request.fields = Time{interval * small_model().scales.time};
+    run_small(request);
+    const FramesReader reader(directory / "frames.h5");
+    EXPECT_EQ(reader.count(), 9);
+    std::vector<int> with;
+    for (int k = 0; k < reader.count(); ++k)
+        if (reader.has_fields(k)) with.push_back(k);
+    return with;
+}
+
+using FrameFields = TemporaryDirectory;
+
+TEST_F(FrameFields, come_in_each_frame_seldom_or_never) {
+    const double never = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(frames_with_fields(path("each"), 0.0).size(), 9u);
+    EXPECT_EQ(frames_with_fields(path("seldom"), 100.0), (std::vector<int>{0, 4, 8}));
+    EXPECT_EQ(frames_with_fields(path("odd"), 60.0), (std::vector<int>{0, 3, 5, 8}));
+    EXPECT_TRUE(frames_with_fields(path("never"), never).empty());
 }
 
 }  // namespace

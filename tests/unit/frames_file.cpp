@@ -209,6 +209,29 @@ TEST_F(Frames, a_write_error_at_any_place_of_the_merge_leaves_all_as_it_was) {
     expect_frames(path("frames.h5"), 6);
 }
 
+TEST_F(Frames, without_fields_and_compressed_read_as_they_were) {
+    FramesHeader compressed = header();
+    compressed.compressed = true;
+    FramesWriter writer(directory(), compressed, {});
+    Frame membranes = frame(1);
+    membranes.velocity.clear();
+    membranes.pressure.clear();
+    membranes.cytoplasm.clear();
+    writer.write(frame(0));
+    writer.write(membranes);
+    for (const bool merged : {false, true}) {
+        if (merged) writer.merge();
+        const FramesReader reader(path("frames.h5"));
+        ASSERT_EQ(reader.count(), 2) << merged;
+        EXPECT_TRUE(reader.faults().empty());
+        EXPECT_TRUE(reader.has_fields(0));
+        EXPECT_FALSE(reader.has_fields(1));
+        EXPECT_EQ(reader.frame(0).pressure, frame(0).pressure);
+        EXPECT_EQ(reader.frame(1).nodes, frame(1).nodes);
+        EXPECT_TRUE(reader.frame(1).velocity.empty());
+    }
+}
+
 TEST_F(Frames, are_the_same_bytes_when_written_in_pieces) {
     std::string whole;
     {

@@ -109,12 +109,14 @@
   element("which-label").hidden = players.length < 2;
 
   function drawSpeed() {
+    const field = player.fields[frame];  // null: recorded without
+    if (field === null) return;
     buffer.width = player.columns;
     buffer.height = player.rows;
     const pixels = new ImageData(player.columns, player.rows), size = player.columns * player.rows;
     for (let j = 0; j < player.rows; ++j)
       for (let i = 0; i < player.columns; ++i) {
-        const value = player.speedBytes[frame * size + (player.rows - 1 - j) * player.columns + i] / 255;
+        const value = player.speedBytes[field * size + (player.rows - 1 - j) * player.columns + i] / 255;
         pixels.data.set([...mix(blues, value), 255], 4 * (j * player.columns + i));
       }
     buffer.getContext("2d").putImageData(pixels, 0, 0);
