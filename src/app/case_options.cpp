@@ -7,13 +7,17 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <numbers>
 
 #include "app/verb.hpp"
 #include "base/error.hpp"
 #include "base/processors.hpp"
 #include "base/units.hpp"
 #include "case/read.hpp"
+#include "case/step_limits.hpp"
 #include "io/file.hpp"
 
 namespace tt {
@@ -61,9 +65,32 @@ void add_threads_option(CLI::App& verb, int& threads) {
         ->check(CLI::Range(1, 1024));
 }
 
-int thread_count(int asked, const Lattice& lattice) {
-    if (asked > 0) return asked;
-    return std::max(1, std::min(usable_processors(), lattice.ny / 8));
+namespace {
+
+/// About as many as the case will have: the cells' perimeter is taken for a circle's.
+std::int64_t expected_nodes(const Case& c, const Choice& choice) {
+    if (c.numerics.fluid_only) return 0;
+    const double radius = equivalent_radius(c).si, dx = choice.dx.si;
+    const double box = choice.nx * dx * choice.ny * dx;
+    const double cells = c.cells.hematocrit
+                             ? *c.cells.hematocrit * box / (std::numbers::pi * radius * radius)
+                             : static_cast<double>(c.cells.count.value_or(1));
+    return std::llround(cells * 2.0 * std::numbers::pi * radius / (choice.node_spacing * dx));
+}
+
+}  // namespace
+
+ThreadChoice choose_threads(int asked, const Case& c, const Choice& choice) {
+    if (asked > 0) return {asked, "as given"};
+    const int usable = usable_processors();
+    const int threads = threads_for(static_cast<std::int64_t>(choice.nx) * choice.ny,
+                                    expected_nodes(c, choice), usable);
+    if (threads == usable)
+        return {threads, usable == 1 ? "the one processor that this process may use"
+                                     : "all processors that this process may use"};
+    return {threads, fmt::format("of {} processors that this process may use: with more, threads "
+                                 "would wait for each other longer than they save",
+                                 usable)};
 }
 
 Time parse_duration(std::string_view option, std::string_view text) {

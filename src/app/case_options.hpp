@@ -7,7 +7,6 @@
 #include "base/quantity.hpp"
 #include "case/case.hpp"
 #include "case/choose.hpp"
-#include "simulation/model.hpp"
 
 namespace CLI {
 class App;
@@ -19,7 +18,7 @@ namespace tt {
 struct CaseOptions {
     std::string path;
     std::vector<std::string> overrides;
-    int threads = 0;  ///< 0: as many as the machine has and the lattice can use
+    int threads = 0;  ///< 0: as many as are of use
 };
 
 /// Adds the case file, --set and -j.
@@ -44,8 +43,15 @@ void add_set_option(CLI::App& verb, CaseOptions& options);
 /// Adds -j alone.
 void add_threads_option(CLI::App& verb, int& threads);
 
-/// `asked`, or all usable processors as long as each gets at least eight rows of sites.
-int thread_count(int asked, const Lattice& lattice);
+/// How many threads share a step, and why.
+struct ThreadChoice {
+    int threads = 1;
+    std::string reason;
+};
+
+/// `asked`; 0: of the usable processors as many as the case gives work to, judged before its cells
+/// are placed.
+ThreadChoice choose_threads(int asked, const Case& c, const Choice& choice);
 
 /// "55m", "90s", "1h30m", "2 h", "5 min": a time on the clock on the wall, where m is a minute.
 /// Throws CommandError naming `option`.

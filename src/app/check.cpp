@@ -161,8 +161,9 @@ void print_limits(const Choice& choice, const Appraisal& a) {
                    b.margin() > 1000.0 ? ">1000" : fmt::format("{:.1f}", b.margin()), b.definition);
 }
 
-void print_cost(const Appraisal& a, const Probe& p) {
+void print_cost(const Appraisal& a, const Probe& p, const ThreadChoice& threads) {
     fmt::print("\n");
+    print_line("threads", fmt::format("{}, {}", threads.threads, threads.reason));
     print_line("disk", fmt::format("{}, with {} frames of {}",
                                    bytes_text(static_cast<double>(a.disk_bytes)), a.frames,
                                    bytes_text(static_cast<double>(a.frame_bytes))));
@@ -264,7 +265,8 @@ int check(const CheckOptions& options) {
     const Choice choice = choose(c);
     expect_memory(choice);
     Model model = discretise(c, choice);
-    model.threads = thread_count(options.given.threads, model.lattice);
+    const ThreadChoice threads = choose_threads(options.given.threads, c, choice);
+    model.threads = threads.threads;
     const State initial = initial_state(c, model, layout_progress(ProgressMode::automatic));
     Appraisal a = appraise(c, choice, model, initial);
     const Probe p = a.refused() ? Probe{} : probe(model, initial);
@@ -281,7 +283,7 @@ int check(const CheckOptions& options) {
         print_numerics(c, choice, a);
         print_flow(c, choice, a);
         print_limits(choice, a);
-        print_cost(a, p);
+        print_cost(a, p, threads);
         print_verdict(a);
     }
     return a.refused() ? exit_code::bad_input : exit_code::done;

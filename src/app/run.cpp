@@ -69,7 +69,7 @@ int run(const RunOptions& options, const std::string& command_line) {
     const Choice choice = choose(c);
     expect_memory(choice);
     Model model = discretise(c, choice);
-    model.threads = thread_count(options.given.threads, model.lattice);
+    model.threads = choose_threads(options.given.threads, c, choice).threads;
     RunRequest request = request_for(c, choice, model);
     request.directory =
         options.directory ? fs::path(*options.directory) : fs::path("results") / c.name;

@@ -81,6 +81,11 @@ int processors_by_quota(const fs::path& mount, std::string_view membership) {
     return smallest;
 }
 
+int threads_for(std::int64_t sites, std::int64_t nodes, int usable) {
+    constexpr std::int64_t node = 50, share = 10'000;  // what a node and a thread's part are worth
+    return static_cast<int>(std::clamp<std::int64_t>((sites + node * nodes) / share, 1, usable));
+}
+
 int usable_processors() {
     const int allowed = std::max(1, processors_by_affinity());
     const int quota = processors_by_quota("/sys/fs/cgroup", text_of("/proc/self/cgroup"));

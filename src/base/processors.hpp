@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string_view>
 
@@ -9,6 +10,11 @@ namespace tt {
 /// containers), and no more than the smallest quota of its control groups allows, rounded up. At
 /// least 1. The machine may have more: std::thread::hardware_concurrency().
 int usable_processors();
+
+/// How many of `usable` processors a step of so many sites and membrane nodes can use: each thread
+/// gets at least as much to do as pays for waiting for the others: 10 000 sites or 200 nodes,
+/// measured on two cores (docs/performance.md). At least 1.
+int threads_for(std::int64_t sites, std::int64_t nodes, int usable);
 
 /// The smallest quota of processors, rounded up, of the control groups in `membership` (the text of
 /// /proc/self/cgroup) and those above them, under `mount` (/sys/fs/cgroup). Version 2 keeps it in

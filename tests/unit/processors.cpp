@@ -61,5 +61,17 @@ TEST_F(Processors, those_of_the_affinity_are_usable) {
     sched_setaffinity(0, sizeof before, &before);
 }
 
+/// The sizes of docs/performance.md, on two cores.
+TEST(ThreadsFor, small_steps_are_not_shared_and_large_ones_are) {
+    EXPECT_EQ(threads_for(960, 34, 2), 1);
+    EXPECT_EQ(threads_for(5000, 192, 2), 1);  // 4 cells
+    EXPECT_EQ(threads_for(5000, 576, 2), 2);  // 12 cells
+    EXPECT_EQ(threads_for(10'000, 256, 2), 2);
+    EXPECT_EQ(threads_for(40'000, 1512, 2), 2);
+    EXPECT_EQ(threads_for(40'000, 1512, 1), 1);
+    EXPECT_EQ(threads_for(100, 0, 64), 1);
+    EXPECT_EQ(threads_for(4'000'000'000, 0, 64), 64);
+}
+
 }  // namespace
 }  // namespace tt
