@@ -134,8 +134,10 @@ void add_resume(CLI::App& app, Action& action, const std::string& command_line) 
     add_watching_options(*verb, *options);
     verb->footer(
         "To the same bits as if it had never stopped. A finished run is made longer with\n"
-        "a later end; the name and the output may change too, nothing else.\n\n"
-        "  tanktread resume results/slow --set time.end=\"160 ms\"");
+        "a later end; the name and the output may change too. One that blew up goes on\n"
+        "from its last good state, with other numerics.\n\n"
+        "  tanktread resume results/slow --set time.end=\"160 ms\"\n"
+        "  tanktread resume results/slow --set numerics.dt=\"0.2 us\"");
     verb->callback([options, &action, &command_line] {
         action = [options, &command_line] {
             const fs::path directory = *options->directory;

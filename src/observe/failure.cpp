@@ -64,27 +64,41 @@ void keep_states(const fs::path& results, const std::string& name, const Model& 
     archive.commit();
 }
 
-SimulationError tell_failure(const fs::path& results, const Instability& what,
-                             const std::string& advice, const LastGood& good, double dt) {
+SimulationError tell_failure(const fs::path& results, const Instability& what, const Advice& advice,
+                             const LastGood& good, double dt) {
     const fs::path folder = failure_folder(results);
-    const SimulationError error(what, labelled("write", advice) + '\n' +
-                                          labelled("kept", kept_in(folder, good, dt)) + '\n' +
-                                          labelled("see", "tanktread report " + results.string()));
+    std::string text = labelled("write", advice.text()) + '\n' +
+                       labelled("kept", kept_in(folder, good, dt)) + '\n' +
+                       labelled("see", "tanktread report " + results.string());
+    if (good.any() && !advice.settings.empty())
+        text += '\n' + labelled("go on", fmt::format("tanktread resume {} {}", results.string(),
+                                                     advice.settings));
+    const SimulationError error(what, text);
     replace_file(folder / "why.txt", std::string(error.what()) + '\n', Durability::power);
     Json record = to_json(what);
-    record["advice"] = advice;
+    record["advice"] = advice.text();
     record["last_good_step"] = good.any() ? Json(good.step()) : Json();
     write_json(folder / "failure.json", record, Durability::power);
     return error;
 }
 
-void expect_no_failure(const fs::path& results) {
-    const fs::path folder = failure_folder(results);
-    if (!fs::exists(folder / "failure.json")) return;
+bool has_failed(const fs::path& results) {
+    return fs::exists(failure_folder(results) / "failure.json");
+}
+
+void refuse_to_repeat(const fs::path& results) {
     throw FailedBefore(fmt::format(
-        "'{}' failed before, and the same would happen again:\n{}Change the case and begin anew, "
-        "with another -o or with --fresh.",
-        results.string(), read_file(folder / "why.txt")));
+        "'{0}' failed before, and the same would happen again:\n{1}Go on from the last good state "
+        "with other numerics, `tanktread resume {0} --set\nKEY=VALUE`, or begin anew, with another "
+        "-o or with --fresh.",
+        results.string(), read_file(failure_folder(results) / "why.txt")));
+}
+
+void retire_failure(const fs::path& results) {
+    const fs::path folder = failure_folder(results);
+    int number = 1;
+    while (fs::exists(fmt::format("{}.{}", folder.string(), number))) ++number;
+    move_into_place(folder, fmt::format("{}.{}", folder.string(), number), Durability::power);
 }
 
 }  // namespace tt

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "observe/last_good.hpp"
+#include "observe/remedy.hpp"
 #include "simulation/model.hpp"
 #include "simulation/state.hpp"
 
@@ -27,10 +28,9 @@ inline std::filesystem::path failure_folder(const std::filesystem::path& results
 void keep_states(const std::filesystem::path& results, const std::string& name, const Model& model,
                  State& failing, const LastGood& good);
 
-/// Writes why.txt and failure.json and returns the error that tells the same. `advice`: what to
-/// write, and what is known of it.
+/// Writes why.txt and failure.json and returns the error that tells the same.
 SimulationError tell_failure(const std::filesystem::path& results, const Instability& what,
-                             const std::string& advice, const LastGood& good, double dt);
+                             const Advice& advice, const LastGood& good, double dt);
 
 /// The run of a results directory blew up before (exit 3): the same would happen again.
 class FailedBefore : public std::runtime_error {
@@ -38,7 +38,12 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Throws FailedBefore, with all that was told, if failure/ says so.
-void expect_no_failure(const std::filesystem::path& results);
+bool has_failed(const std::filesystem::path& results);
+
+/// Throws FailedBefore, with all that was told.
+[[noreturn]] void refuse_to_repeat(const std::filesystem::path& results);
+
+/// Keeps the folder as failure.1, failure.2, …: the run has gone on.
+void retire_failure(const std::filesystem::path& results);
 
 }  // namespace tt

@@ -61,17 +61,31 @@ std::optional<std::string> recorded_settings(const std::filesystem::path& result
     return settings;
 }
 
+Json recorded_changes(const std::filesystem::path& results) {
+    Json changes = Json::array();
+    for (const Json& session : read_provenance(results).value("sessions", Json::array())) {
+        if (!session.is_object() || !session.contains("changes")) continue;
+        changes.push_back({{"time", session.value("from_time", Json())},
+                           {"step", session.value("from_step", Json())},
+                           {"changes", session["changes"]}});
+    }
+    return changes;
+}
+
 void write_provenance(const std::filesystem::path& results, const Provenance& p, Session& session,
                       const std::string& state_hash) {
     const Json build = build_of_this_program();
     Json sessions = read_provenance(results).value("sessions", Json::array());
     const int count = static_cast<int>(sessions.size());
     if (session.number < 0 || session.number > count) session.number = count;
-    sessions[static_cast<std::size_t>(session.number)] =
-        Json{{"started", session.started}, {"command_line", p.command_line},
-             {"threads", p.threads},       {"from_step", session.from_step},
-             {"to_step", session.to_step}, {"wall_seconds", session.wall_seconds},
-             {"ending", session.ending},   {"build", build}};
+    Json entry{{"started", session.started}, {"command_line", p.command_line},
+               {"threads", p.threads},       {"from_step", session.from_step},
+               {"to_step", session.to_step}, {"wall_seconds", session.wall_seconds},
+               {"ending", session.ending},   {"build", build}};
+    if (!session.changes.empty()) entry["from_time"] = session.from_time;
+    for (const SettingChange& change : session.changes)
+        entry["changes"][change.key] = Json::array({change.before, change.after});
+    sessions[static_cast<std::size_t>(session.number)] = entry;
     Json inputs = Json::array();
     for (const InputFile& input : p.inputs)
         inputs.push_back({{"file", input.name}, {"hash", hexadecimal(checksum(input.bytes))}});

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/json.hpp"
+#include "observe/same_case.hpp"
 
 namespace tt {
 
@@ -34,6 +35,8 @@ struct Session {
     double wall_seconds = 0.0;
     std::string ending;  ///< running, done, stopped, failed; `running` of an old session: killed
     int number = -1;     ///< place in the list; −1 before the first write
+    double from_time = 0.0;              ///< [s]
+    std::vector<SettingChange> changes;  ///< of the numerics, with which it went on
 };
 
 /// What PROVENANCE.json says; an empty object if there is none or it is damaged.
@@ -41,6 +44,10 @@ Json read_provenance(const std::filesystem::path& results);
 
 /// The settings in it; nothing where they cannot be told.
 std::optional<std::string> recorded_settings(const std::filesystem::path& results);
+
+/// The sessions in it that went on with other numerics: [{time, step, changes: {key: [before,
+/// after]}}]. Empty for a run that is the same all through.
+Json recorded_changes(const std::filesystem::path& results);
 
 /// PROVENANCE.json: settings, hashes of all that was read, the machine, and one entry per session
 /// with the build that ran it: the first write of a session adds its entry and sets its number,

@@ -50,22 +50,23 @@ Ending ending_with(const Remedy& remedy, const BlowUp& blow_up, const HealthLimi
 
 }  // namespace
 
-std::string tried_advice(const std::vector<Remedy>& remedies, const BlowUp& blow_up,
-                         const HealthLimits& limits, Exchange& exchange) {
+Advice tried_advice(const std::vector<Remedy>& remedies, const BlowUp& blow_up,
+                    const HealthLimits& limits, Exchange& exchange) {
     const Clock::time_point deadline = Clock::now() + patience;
     std::string failed;
     for (const Remedy& remedy : remedies) {
         const Ending ending = ending_with(remedy, blow_up, limits, exchange, deadline);
         if (ending == Ending::helped)
-            return fmt::format(
-                "{} (tried: from step {} it runs well past the failure, to t = {:.4g} ms)",
-                remedy.settings, blow_up.good.step, 1e3 * goal(blow_up));
+            return {
+                remedy.settings,
+                fmt::format("tried: from step {} it runs well past the failure, to t = {:.4g} ms",
+                            blow_up.good.step, 1e3 * goal(blow_up))};
         if (ending == Ending::cut_off)
-            return fmt::format("{} (there was no time to try it to the end)", remedy.settings);
+            return {remedy.settings, "there was no time to try it to the end"};
         failed += (failed.empty() ? "" : "; ") + remedy.settings;
     }
-    return fmt::format("{}. Tried from step {} without success: {}", blow_up.what.cure,
-                       blow_up.good.step, failed);
+    return {"", fmt::format("{}. Tried from step {} without success: {}", blow_up.what.cure,
+                            blow_up.good.step, failed)};
 }
 
 }  // namespace tt

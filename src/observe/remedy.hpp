@@ -18,6 +18,12 @@ struct Remedy {
     Model model;           ///< with it
 };
 
+/// What to write, `settings` as in a Remedy or empty, and what is known of it.
+struct Advice {
+    std::string settings, words;
+    std::string text() const { return settings.empty() ? words : settings + " (" + words + ")"; }
+};
+
 /// What a run that blew up was: its model, its last good state, and what was seen.
 struct BlowUp {
     const Model& model;
@@ -29,7 +35,7 @@ struct BlowUp {
 /// the failure: six times as far from the good state, and 2000 steps. Says in words what to write:
 /// the settings of that one, or that none of them did so. A minute of the clock at most, less if
 /// the run is asked to stop.
-std::string tried_advice(const std::vector<Remedy>& remedies, const BlowUp& blow_up,
-                         const HealthLimits& limits, Exchange& exchange);
+Advice tried_advice(const std::vector<Remedy>& remedies, const BlowUp& blow_up,
+                    const HealthLimits& limits, Exchange& exchange);
 
 }  // namespace tt

@@ -20,6 +20,8 @@
 #include "observe/series.hpp"
 #include "observe/status.hpp"
 #include "observe/summary.hpp"
+#include "simulation/derive.hpp"
+#include "simulation/rescale.hpp"
 #include "simulation/run.hpp"
 #include "simulation/state_archive.hpp"
 #include "simulation/stop.hpp"
@@ -42,7 +44,12 @@ private:
     void add_observers(Time series, Time frames);
     void start(const std::function<State()>& initial);
     void load(const ArchiveReader& archive);
+    void take(const ArchiveReader& archive);
+    ArchiveReader changed_after_failure();
+    void leave_failure_behind();
     void resume(ArchiveReader& archive);
+    double time_step_of(const ArchiveReader& archive) const;
+    void keep_looks_apart(const ArchiveReader& archive);
     void tell_cadence(const char* what, Time before, std::optional<Time> asked);
     void expect_nothing_to_lose() const;
     bool was_done(std::int64_t step) const;
@@ -55,7 +62,7 @@ private:
     void save_checkpoint();
     void keep_good();
     void finish();
-    std::string advice(const Instability& what);
+    Advice advice(const Instability& what);
     SimulationError failed(const SimulationError& error);
 
     bool at_end() const { return state_.step >= steps_; }
@@ -162,7 +169,28 @@ void CaseRun::start(const std::function<State()>& initial) {
 /// DamagedArchive if the state cannot be gone on with, DirectoryInUse if it is of another case.
 void CaseRun::load(const ArchiveReader& archive) {
     expect_same_case(request_.directory, archive.text("settings"), request_.settings);
+    take(archive);
+}
+
+/// The last good state of a run that blew up, with numerics that differ from those it failed with.
+ArchiveReader CaseRun::changed_after_failure() {
+    const fs::path path = failure_folder(results_.path()) / "last_good";
+    if (!fs::exists(path)) refuse_to_repeat(results_.path());
+    ArchiveReader archive(path);
+    session_.changes =
+        changed_numerics(request_.directory, archive.text("settings"), request_.settings);
+    if (session_.changes.empty()) refuse_to_repeat(results_.path());
+    take(archive);
+    return archive;
+}
+
+/// The state as it was kept, in the units of this session's time step.
+void CaseRun::take(const ArchiveReader& archive) {
     state_ = load_state(archive, model_, exchange_);
+    if (const double before = time_step_of(archive); before != model_.scales.time) {
+        change_time_step(model_, model_.scales.time / before, state_);
+        derive(model_, state_);
+    }
     health_.emplace(request_.limits, state_);
     if (const auto fault = health_->examine(model_, state_))
         throw DamagedArchive(
@@ -173,6 +201,7 @@ void CaseRun::load(const ArchiveReader& archive) {
             "directory with -o, or move them aside with --fresh",
             request_.directory.string(), to_text(time_of(state_.step)), to_text(request_.end)));
     session_.from_step = state_.step;
+    session_.from_time = time_of(state_.step).si;
     earlier_seconds_ = archive.value<double>("wall_seconds");
     pace_.emplace(state_.step);
 }
@@ -185,11 +214,41 @@ void CaseRun::resume(ArchiveReader& archive) {
     const Time series{archive.value<double>("series.interval")};
     const Time frames{archive.value<double>("frames.interval")};
     add_observers(request_.series.value_or(series), request_.frames.value_or(frames));
+    keep_looks_apart(archive);
     Checkpoints::resume(archive, observers_, at_end());
     record("running");
     say(fmt::format("resumed at step {} of {}", state_.step, steps_));
     tell_cadence("rows of series.csv and cells.csv", series, request_.series);
     tell_cadence("frames", frames, request_.frames);
+}
+
+/// [s] of the state in it.
+double CaseRun::time_step_of(const ArchiveReader& archive) const {
+    const auto text = setting_in(archive.text("settings"), "chosen.dt");
+    return text ? parse_measure(*text).si : model_.scales.time;
+}
+
+/// After a change of the time step: what was due and done at the former step must not be due a step
+/// later. The state's step is the nearest to its time, or the one after.
+void CaseRun::keep_looks_apart(const ArchiveReader& archive) {
+    const double dt = time_step_of(archive);
+    if (dt == model_.scales.time) return;
+    const auto step = archive.value<std::int64_t>("step");
+    for (const auto& observer : observers_) {
+        const Schedule before(observer->schedule().interval(), dt);
+        if (before.due(step))
+            state_.step = std::max(state_.step, observer->schedule().counterpart(before, step));
+    }
+}
+
+/// The changed run has a checkpoint of its own; what failed is history.
+void CaseRun::leave_failure_behind() {
+    save_checkpoint();
+    retire_failure(results_.path());
+    for (const SettingChange& change : session_.changes)
+        say(fmt::format("numerics changed at step {}, t = {:.6g} ms: {} = {}, before {}",
+                        state_.step, 1e3 * session_.from_time, change.key, change.after,
+                        change.before));
 }
 
 void CaseRun::tell_cadence(const char* what, Time before, std::optional<Time> asked) {
@@ -344,7 +403,9 @@ void CaseRun::finish() {
     input.steps = steps_;
     input.threads = model_.threads;
     input.session = {state_.step - session_.from_step, pace_->seconds(), step_times_.seconds()};
-    const Json summary = summarise(results_.path(), input);
+    Json summary = summarise(results_.path(), input);
+    if (Json changes = recorded_changes(results_.path()); !changes.empty())
+        summary["numerics_changed"] = changes;
     record("done");
     // The last of all: where it stands, the run is finished and everything else is there.
     write_json(results_.path() / "summary.json", summary, Durability::power);
@@ -354,8 +415,8 @@ void CaseRun::finish() {
 }
 
 /// What to write, tried if there is something to try.
-std::string CaseRun::advice(const Instability& what) {
-    if (!request_.remedies || !good_.any()) return what.cure;
+Advice CaseRun::advice(const Instability& what) {
+    if (!request_.remedies || !good_.any()) return {"", what.cure};
     progress_.say(
         fmt::format("unstable at step {}; trying what may help, a minute at most", what.step));
     return tried_advice(request_.remedies(), {model_, good_.state(), what}, request_.limits,
@@ -365,12 +426,12 @@ std::string CaseRun::advice(const Instability& what) {
 /// Leaves failure/, and tells with what was seen where it is. Never masks the error it records.
 SimulationError CaseRun::failed(const SimulationError& error) {
     const Instability& what = error.instability();
-    const auto tell = [&](const std::string& advice) {
+    const auto tell = [&](const Advice& advice) {
         return tell_failure(results_.path(), what, advice, good_, model_.scales.time);
     };
     try {
         keep_states(results_.path(), request_.name, model_, state_, good_);
-        tell(what.cure);  // the search for something better may be cut off
+        tell({"", what.cure});  // the search for something better may be cut off
         record("failed");
         const SimulationError told = tell(advice(what));
         log(told.what());
@@ -389,10 +450,12 @@ RunOutcome CaseRun::outcome(RunOutcome::Ending ending) const {
 
 RunOutcome CaseRun::run(const std::function<State()>& initial) {
     const auto tell = [this](const std::string& message) { say(message); };
-    expect_no_failure(results_.path());
+    const bool failed_before = has_failed(results_.path());
     try {
         auto archive =
-            checkpoints_.newest(tell, [this](const ArchiveReader& found) { load(found); });
+            failed_before
+                ? std::optional(changed_after_failure())
+                : checkpoints_.newest(tell, [this](const ArchiveReader& found) { load(found); });
         if (was_done(archive ? state_.step
                              : recorded_status(results_.path()).value("step", std::int64_t{-1}))) {
             return archive ? outcome(RunOutcome::Ending::was_done)
@@ -402,6 +465,7 @@ RunOutcome CaseRun::run(const std::function<State()>& initial) {
         if (archive) {
             resume(*archive);
             archive.reset();
+            if (failed_before) leave_failure_behind();
             keep_good();
         } else {
             expect_nothing_to_lose();

@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-#include <vector>
 
 #include "exchange/exchange.hpp"
 #include "observe/checks.hpp"

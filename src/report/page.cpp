@@ -130,6 +130,8 @@ std::string introduction(std::span<const Results> runs, const std::vector<std::s
         const std::string name = single ? "" : fmt::format("<b>{}</b>: ", html(labels[r]));
         const std::string note = unfinished_note(runs[r]);
         if (!note.empty()) text += "<p class=\"notice\">" + name + html(note) + "</p>\n";
+        if (const std::string changes = changes_note(runs[r]); !changes.empty())
+            text += "<p class=\"notice\">" + name + html(changes) + "</p>\n";
         text += failure_section(runs[r], labels[r]);
         for (const std::string& fault : runs[r].faults)
             text += "<p class=\"notice\">" + name + html(fault) + "</p>\n";

@@ -140,6 +140,21 @@ std::string unfinished_note(const Results& run) {
            ". Figures show what there is; means over the stated window are missing or provisional.";
 }
 
+std::string changes_note(const Results& run) {
+    std::string text;
+    for (const Json& session : run.provenance.value("sessions", Json::array())) {
+        if (!session.is_object() || !session.contains("changes")) continue;
+        text += text.empty() ? "" : " ";
+        text += fmt::format("Numerics changed at {} ms, after a blow-up:",
+                            number_text(session.value("from_time", 0.0) * 1e3));
+        for (const auto& [key, values] : session["changes"].items())
+            text += fmt::format(" {} = {}, before {};", key, values.at(1).get<std::string>(),
+                                values.at(0).get<std::string>());
+        text.back() = '.';
+    }
+    return text;
+}
+
 DisplayUnit display_unit(const std::string& si_unit) {
     static const std::array<std::pair<const char*, DisplayUnit>, 6> known{
         {{"m", {1e6, "µm"}},

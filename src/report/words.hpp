@@ -14,6 +14,9 @@ std::string case_in_words(const Results& run);
 /// How far the run came, if it is not finished; empty if it is.
 std::string unfinished_note(const Results& run);
 
+/// Where the numerics were changed after a blow-up; empty for a run that is the same all through.
+std::string changes_note(const Results& run);
+
 /// A number with its unit as a person of the field writes it: µm, ms, mm/s, mPa s; `digits`
 /// significant digits.
 struct DisplayUnit {

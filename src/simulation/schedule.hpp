@@ -42,6 +42,12 @@ public:
         return nth(n);
     }
 
+    /// The step at which this schedule has the look that `other`, of the same interval and another
+    /// time step, has at `step`.
+    std::int64_t counterpart(const Schedule& other, std::int64_t step) const {
+        return nth(other.nearest(step));
+    }
+
 private:
     std::int64_t nth(std::int64_t n) const { return nearest_step(static_cast<double>(n) * steps_); }
     std::int64_t nearest(std::int64_t step) const {

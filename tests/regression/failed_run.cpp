@@ -10,7 +10,9 @@
 
 #include "base/random.hpp"
 #include "command.hpp"
+#include "io/csv.hpp"
 #include "io/json.hpp"
+#include "report/words.hpp"
 #include "temporary_directory.hpp"
 
 namespace tt {
@@ -116,6 +118,62 @@ std::vector<std::string> settings_in(const std::string& advice) {
         words.insert(words.end(), {"--set", value});
     }
     return words;
+}
+
+/// Times of the rows, which must be those asked for, each once, to within a step.
+void expect_rows_every(double interval, double end, double dt, const fs::path& results) {
+    const std::vector<double> times = read_csv(results / "series.csv").column("time");
+    ASSERT_EQ(times.size(), static_cast<std::size_t>(std::lround(end / interval)) + 1);
+    for (std::size_t k = 0; k < times.size(); ++k)
+        EXPECT_NEAR(times[k], static_cast<double>(k) * interval, dt);
+}
+
+TEST_F(FailedRun, goes_on_with_other_numerics_from_its_last_good_state) {
+    run_verb("run", {"--set", "output.series=10 us"});
+    const double good = read_json(failure("failure.json"))["last_good_step"];
+    const Outcome outcome = run_verb("resume", {"--set", "numerics.jump_correction=false"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_FALSE(fs::exists(failure("why.txt")));
+    EXPECT_TRUE(fs::exists(path("o") / "failure.1/why.txt"));
+    expect_rows_every(10e-6, 1e-3, 0.6e-6, path("o"));
+
+    const Json summary = read_json(path("o") / "summary.json");
+    ASSERT_EQ(summary["numerics_changed"].size(), 1u);
+    const Json& change = summary["numerics_changed"][0];
+    EXPECT_EQ(change["step"], good);
+    EXPECT_EQ(change["changes"]["numerics.jump_correction"], (Json{"true", "false"}));
+    EXPECT_NE(read_file(path("o") / "run.log").find("numerics changed at step"), std::string::npos);
+    const std::string note = changes_note(read_results(path("o")));
+    EXPECT_NE(note.find("numerics.jump_correction = false, before true."), std::string::npos)
+        << note;
+    EXPECT_EQ(run_verb("resume").code, 0) << "finished";
+}
+
+TEST_F(FailedRun, goes_on_with_another_time_step_at_the_same_times) {
+    run_verb("run", {"--set", "output.series=10 us"});
+    const std::vector<std::string> numerics{"--set", "numerics.jump_correction=false", "--set",
+                                            "numerics.dt=0.23 us"};
+    EXPECT_EQ(run_verb("resume", numerics).code, 0);
+    expect_rows_every(10e-6, 1e-3, 0.6e-6, path("o"));
+    // As if it had been so from the start.
+    const Table gone_on = read_csv(path("o") / "series.csv");
+    std::vector<std::string> anew = numerics;
+    anew.insert(anew.end(), {"--set", "output.series=10 us", "--fresh"});
+    ASSERT_EQ(run_verb("run", anew).code, 0);
+    const Table straight = read_csv(path("o") / "series.csv");
+    for (const char* name : {"mean_velocity", "lambda_C"})
+        EXPECT_NEAR(gone_on.column(name).back() / straight.column(name).back(), 1.0, 2e-3) << name;
+}
+
+TEST_F(FailedRun, does_not_go_on_with_another_grid_or_without_a_change_that_matters) {
+    run_verb("run");
+    const Outcome grid = run_verb("resume", {"--set", "numerics.dx=0.25 um"});
+    EXPECT_EQ(grid.code, 4);
+    EXPECT_NE(grid.err.find("numerics.dx: \"0.5 um\" there, \"0.25 um\" here"), std::string::npos)
+        << grid.err;
+    EXPECT_EQ(run_verb("resume", {"--set", "numerics.relaxation_time=1"}).code, 4);
+    EXPECT_EQ(run_verb("resume", {"--set", "time.end=2 ms"}).code, 3);
+    EXPECT_TRUE(fs::exists(failure("last_good")));
 }
 
 /// Cases of its kind, of which some blow up. More of them on demand: TANKTREAD_FAILURES=50.
