@@ -30,7 +30,7 @@ void keep_states(const std::filesystem::path& results, const std::string& name, 
 
 /// Writes why.txt and failure.json and returns the error that tells the same.
 SimulationError tell_failure(const std::filesystem::path& results, const Instability& what,
-                             const Advice& advice, const LastGood& good, double dt);
+                             const Suggestion& advice, const LastGood& good, double dt);
 
 /// The run of a results directory blew up before (exit 3): the same would happen again.
 class FailedBefore : public std::runtime_error {

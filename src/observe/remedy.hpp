@@ -19,7 +19,7 @@ struct Remedy {
 };
 
 /// What to write, `settings` as in a Remedy or empty, and what is known of it.
-struct Advice {
+struct Suggestion {
     std::string settings, words;
     std::string text() const { return settings.empty() ? words : settings + " (" + words + ")"; }
 };
@@ -35,7 +35,7 @@ struct BlowUp {
 /// the failure: six times as far from the good state, and 2000 steps. Says in words what to write:
 /// the settings of that one, or that none of them did so. A minute of the clock at most, less if
 /// the run is asked to stop.
-Advice tried_advice(const std::vector<Remedy>& remedies, const BlowUp& blow_up,
+Suggestion tried_suggestion(const std::vector<Remedy>& remedies, const BlowUp& blow_up,
                     const HealthLimits& limits, Exchange& exchange);
 
 }  // namespace tt

@@ -62,7 +62,7 @@ private:
     void save_checkpoint();
     void keep_good();
     void finish();
-    Advice advice(const Instability& what);
+    Suggestion advice(const Instability& what);
     SimulationError failed(const SimulationError& error);
 
     bool at_end() const { return state_.step >= steps_; }
@@ -415,18 +415,18 @@ void CaseRun::finish() {
 }
 
 /// What to write, tried if there is something to try.
-Advice CaseRun::advice(const Instability& what) {
+Suggestion CaseRun::advice(const Instability& what) {
     if (!request_.remedies || !good_.any()) return {"", what.cure};
     progress_.say(
         fmt::format("unstable at step {}; trying what may help, a minute at most", what.step));
-    return tried_advice(request_.remedies(), {model_, good_.state(), what}, request_.limits,
+    return tried_suggestion(request_.remedies(), {model_, good_.state(), what}, request_.limits,
                         exchange_);
 }
 
 /// Leaves failure/, and tells with what was seen where it is. Never masks the error it records.
 SimulationError CaseRun::failed(const SimulationError& error) {
     const Instability& what = error.instability();
-    const auto tell = [&](const Advice& advice) {
+    const auto tell = [&](const Suggestion& advice) {
         return tell_failure(results_.path(), what, advice, good_, model_.scales.time);
     };
     try {
