@@ -131,7 +131,7 @@ void expect_rows_every(double interval, double end, double dt, const fs::path& r
 TEST_F(FailedRun, goes_on_with_other_numerics_from_its_last_good_state) {
     run_verb("run", {"--set", "output.series=10 us"});
     const double good = read_json(failure("failure.json"))["last_good_step"];
-    const Outcome outcome = run_verb("resume", {"--set", "numerics.jump_correction=false"});
+    const Outcome outcome = run_verb("resume", {"--set", "membrane.hold_area=true"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_FALSE(fs::exists(failure("why.txt")));
     EXPECT_TRUE(fs::exists(path("o") / "failure.1/why.txt"));
@@ -141,28 +141,28 @@ TEST_F(FailedRun, goes_on_with_other_numerics_from_its_last_good_state) {
     ASSERT_EQ(summary["numerics_changed"].size(), 1u);
     const Json& change = summary["numerics_changed"][0];
     EXPECT_EQ(change["step"], good);
-    EXPECT_EQ(change["changes"]["numerics.jump_correction"], (Json{"true", "false"}));
+    EXPECT_EQ(change["changes"]["membrane.hold_area"], (Json{"false", "true"}));
     EXPECT_NE(read_file(path("o") / "run.log").find("numerics changed at step"), std::string::npos);
     const std::string note = changes_note(read_results(path("o")));
-    EXPECT_NE(note.find("numerics.jump_correction = false, before true."), std::string::npos)
+    EXPECT_NE(note.find("membrane.hold_area = true, before false."), std::string::npos)
         << note;
     EXPECT_EQ(run_verb("resume").code, 0) << "finished";
 }
 
 TEST_F(FailedRun, goes_on_with_another_time_step_at_the_same_times) {
     run_verb("run", {"--set", "output.series=10 us"});
-    const std::vector<std::string> numerics{"--set", "numerics.jump_correction=false", "--set",
+    const std::vector<std::string> numerics{"--set", "membrane.hold_area=true", "--set",
                                             "numerics.dt=0.23 us"};
     EXPECT_EQ(run_verb("resume", numerics).code, 0);
     expect_rows_every(10e-6, 1e-3, 0.6e-6, path("o"));
-    // As if it had been so from the start.
+    // As if it had been so from the start, but for the area that was lost by then (4 %).
     const Table gone_on = read_csv(path("o") / "series.csv");
     std::vector<std::string> anew = numerics;
     anew.insert(anew.end(), {"--set", "output.series=10 us", "--fresh"});
     ASSERT_EQ(run_verb("run", anew).code, 0);
     const Table straight = read_csv(path("o") / "series.csv");
     for (const char* name : {"mean_velocity", "lambda_C"})
-        EXPECT_NEAR(gone_on.column(name).back() / straight.column(name).back(), 1.0, 2e-3) << name;
+        EXPECT_NEAR(gone_on.column(name).back() / straight.column(name).back(), 1.0, 1e-2) << name;
 }
 
 TEST_F(FailedRun, does_not_go_on_with_another_grid_or_without_a_change_that_matters) {
