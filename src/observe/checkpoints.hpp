@@ -3,19 +3,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "exchange/exchange.hpp"
-#include "observe/observer.hpp"
+#include "observe/observers.hpp"
 #include "simulation/model.hpp"
 #include "simulation/state.hpp"
 
 namespace tt {
-
-using Observers = std::vector<std::unique_ptr<Observer>>;
 
 /// What a checkpoint holds beside the state: the program's version, the settings of the case, the
 /// wall time spent so far and what the observers remember.

@@ -1,0 +1,65 @@
+#include "observe/take_up.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/units.hpp"
+#include "observe/same_case.hpp"
+#include "observe/status.hpp"
+#include "simulation/derive.hpp"
+#include "simulation/rescale.hpp"
+#include "simulation/state_archive.hpp"
+
+namespace tt {
+namespace {
+
+/// [s] of the state in it.
+double time_step_of(const ArchiveReader& archive, const Model& model) {
+    const auto text = setting_in(archive.text("settings"), "chosen.dt");
+    return text ? parse_measure(*text).si : model.scales.time;
+}
+
+}  // namespace
+
+State take_up(const ArchiveReader& archive, const Model& model, Exchange& exchange) {
+    State state = load_state(archive, model, exchange);
+    if (const double before = time_step_of(archive, model); before != model.scales.time) {
+        change_time_step(model, model.scales.time / before, state);
+        derive(model, state);
+    }
+    return state;
+}
+
+std::int64_t step_apart_from_looks(const ArchiveReader& archive, const Model& model,
+                                   const Observers& observers, std::int64_t step) {
+    const double dt = time_step_of(archive, model);
+    if (dt == model.scales.time) return step;
+    const auto former = archive.value<std::int64_t>("step");
+    for (const auto& observer : observers) {
+        const Schedule before(observer->schedule().interval(), dt);
+        if (before.due(former))
+            step = std::max(step, observer->schedule().counterpart(before, former));
+    }
+    return step;
+}
+
+void expect_nothing_to_lose(const std::filesystem::path& results, const RunRequest& request,
+                            const Checkpoints& checkpoints) {
+    if (const auto theirs = recorded_settings(results))
+        expect_same_case(request.directory, *theirs, request.settings);
+    const bool lost = std::filesystem::exists(results / "summary.json") || checkpoints.exist() ||
+                      recorded_status(results).value("checkpoint_step", std::int64_t{-1}) >= 0;
+    if (lost)
+        throw DirectoryInUse(fmt::format(
+            "'{}' holds results but no checkpoint to go on from; choose another directory with "
+            "-o, or move them aside with --fresh",
+            request.directory.string()));
+}
+
+bool is_finished(const std::filesystem::path& results, const RunRequest& request) {
+    return std::filesystem::exists(results / "summary.json") &&
+           recorded_settings(results) == request.settings;
+}
+
+}  // namespace tt
