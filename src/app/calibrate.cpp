@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/calibration.hpp"
+#include "app/option_values.hpp"
 #include "base/tell.hpp"
 #include "app/run_pool.hpp"
 #include "app/run_request.hpp"
@@ -263,12 +264,16 @@ void add_calibrate(CLI::App& app, Action& action, const std::string& command_lin
     auto options = std::make_shared<CalibrateOptions>();
     CLI::App* verb =
         app.add_subcommand("calibrate", "find the hardening's D and beta from measured numbers");
-    verb->add_option("targets", options->path, "the file of targets")->required();
-    verb->add_option("-o,--output", options->directory, "directory; else results/NAME");
+    verb->add_option("targets", options->path, "the file of targets")
+        ->required()
+        ->type_name(value_kind::toml_file);
+    verb->add_option("-o,--output", options->directory, "directory; else results/NAME")
+        ->type_name(value_kind::directory);
     verb->add_option("-j,--jobs", options->jobs,
                      "runs side by side, one thread each; else all processors")
-        ->check(CLI::Range(1, 1024));
-    verb->add_option("--progress", options->progress, "auto, bar, log, json or none");
+        ->check(CLI::Range(1, 1024))
+        ->type_name(value_kind::count);
+    add_progress_option(*verb, options->progress);
     verb->add_flag("--json", options->json, "as JSON");
     verb->footer(
         "The file names a case, the ranges of D and beta, and the numbers to be met:\n\n"

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "app/option_values.hpp"
 #include "app/verb.hpp"
 #include "base/error.hpp"
 #include "base/processors.hpp"
@@ -23,14 +24,17 @@
 namespace tt {
 
 void add_case_options(CLI::App& verb, CaseOptions& options) {
-    verb.add_option("case", options.path, "the case file")->required();
+    verb.add_option("case", options.path, "the case file")
+        ->required()
+        ->type_name(value_kind::toml_file);
     add_set_option(verb, options);
     add_threads_option(verb, options.threads);
 }
 
 void add_set_option(CLI::App& verb, CaseOptions& options) {
     verb.add_option("--set", options.overrides, "KEY=VALUE in place of the file's; may be repeated")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->type_name(value_kind::setting);
 }
 
 GivenCase read_given_case(const CaseOptions& options) {
@@ -62,7 +66,8 @@ void expect_memory(const Choice& choice) {
 
 void add_threads_option(CLI::App& verb, int& threads) {
     verb.add_option("-j,--threads", threads, "threads; else all processors that are of use")
-        ->check(CLI::Range(1, 1024));
+        ->check(CLI::Range(1, 1024))
+        ->type_name(value_kind::count);
 }
 
 namespace {

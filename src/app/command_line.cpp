@@ -64,14 +64,11 @@ void describe_program(CLI::App& app) {
 bool is_unknown_verb(const CLI::App& app, int argc, const char* const* argv) {
     if (argc < 2 || argv[1][0] == '-') return false;
     const std::string_view word = argv[1];
-    std::vector<std::string_view> names;
+    const auto is_it = [&](const CLI::App* verb) { return verb->get_name() == word; };
+    if (!app.get_subcommands(is_it).empty()) return false;
     std::vector<std::string> owned;
-    for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
-        owned.push_back(verb->get_name());
-    for (const std::string& name : owned) {
-        if (name == word) return false;
-        names.push_back(name);
-    }
+    for (const CLI::App* verb : shown_verbs(app)) owned.push_back(verb->get_name());
+    const std::vector<std::string_view> names(owned.begin(), owned.end());
     const auto near = closest(word, names);
     tell_user("tanktread: unknown verb '{}'; {}\n", readable(word),
               near ? fmt::format("did you mean '{}'?", *near)
@@ -129,6 +126,10 @@ std::vector<const char*> with_help_last(int argc, const char* const* argv) {
     return words;
 }
 
+std::vector<const CLI::App*> shown_verbs(const CLI::App& app) {
+    return app.get_subcommands([](const CLI::App* verb) { return !verb->get_group().empty(); });
+}
+
 int run_command_line(int given, const char* const* words) {
     const std::vector<const char*> arguments = with_help_last(given, words);
     const int argc = static_cast<int>(arguments.size());
@@ -150,6 +151,8 @@ int run_command_line(int given, const char* const* words) {
     add_keys(app, action);
     for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
         verb->group("Verbs");
+    add_manual(app, action);
+    add_complete(app, action);
     if (argc < 2) {
         tell_user("{}", app.help());
         return exit_code::bad_input;

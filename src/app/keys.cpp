@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "app/option_values.hpp"
 #include "app/verb.hpp"
 #include "base/letter.hpp"
 #include "case/reference.hpp"
@@ -31,7 +32,8 @@ void add_keys(CLI::App& app, Action& action) {
     auto options = std::make_shared<KeysOptions>();
     CLI::App* verb =
         app.add_subcommand("keys", "show the keys of the case file and what they mean");
-    verb->add_option("word", options->word, "only keys with this in their name or meaning");
+    verb->add_option("word", options->word, "only keys with this in their name or meaning")
+        ->type_name(value_kind::key);
     verb->add_flag("--markdown", options->markdown, "as a page (docs/keys.md)");
     verb->callback([options, &action] { action = [options] { return show_keys(*options); }; });
 }

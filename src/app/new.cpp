@@ -1,17 +1,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "app/option_values.hpp"
 #include "app/templates.hpp"
 #include "base/tell.hpp"
 #include "app/verb.hpp"
 #include "base/error.hpp"
-#include "base/words.hpp"
 #include "case/run_name.hpp"
 #include "io/file.hpp"
 #include "io/toml.hpp"
@@ -25,14 +26,8 @@ struct NewOptions {
 };
 
 const Template& find_template(const std::string& name) {
-    std::vector<std::string_view> names;
-    for (const Template& t : templates) {
-        if (t.name == name) return t;
-        names.push_back(t.name);
-    }
-    const auto near = closest(name, names);
-    throw CommandError(fmt::format("--from {} is not one of {}{}", name, fmt::join(names, ", "),
-                                   near ? fmt::format("; did you mean '{}'?", *near) : ""));
+    return *std::find_if(templates.begin(), templates.end(),
+                         [&](const Template& t) { return t.name == name; });
 }
 
 /// The template with `name = …` for the new run.
@@ -67,15 +62,20 @@ int write_case(const NewOptions& options) {
 void add_new(CLI::App& app, Action& action) {
     auto options = std::make_shared<NewOptions>();
     CLI::App* verb = app.add_subcommand("new", "write a commented case file to start from");
-    verb->add_option("name", options->name, "of the run; NAME.toml is written")->required();
-    verb->add_option("--from", options->from, "one of those below; else channel");
+    verb->add_option("name", options->name, "of the run; NAME.toml is written")
+        ->required()
+        ->type_name(value_kind::name);
+    std::vector<OptionWord> words;
+    for (const Template& t : templates) words.push_back({std::string(t.name), ""});
+    add_choice(*verb, "--from", options->from, words);
     verb->footer(
         "  channel     twelve cells in a channel 20 um wide, the paper's Case III\n"
         "  shear       one cell tank-treading between walls 40 um apart\n"
         "  relax       a stretched cell that returns to its circle\n"
         "  poiseuille  plasma alone in a channel\n"
         "  couette     two fluids between sliding walls\n\n"
-        "A file that is there already is never overwritten.");
+        "Without --from it is a channel. A file that is there already is never\n"
+        "overwritten.");
     verb->callback([options, &action] { action = [options] { return write_case(*options); }; });
 }
 

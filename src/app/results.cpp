@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/option_values.hpp"
 #include "app/verb.hpp"
 #include "base/error.hpp"
 #include "base/tell.hpp"
@@ -55,13 +56,11 @@ int export_results(const ResultsOptions& options) {
         export_vtk(directory, out);
     } else if (options.to == "csv") {
         export_csv(directory, out);
-    } else if (options.to == "png") {
+    } else {
         if (!can_draw()) throw IoError(std::string(no_gnuplot));
         const std::vector<Results> runs{read_results(directory)};
         for (const std::string& fault : runs.front().faults) tell_user("tanktread: {}\n", fault);
         draw_figures(runs, out);
-    } else {
-        throw CommandError(fmt::format("--to {} is not one of vtk, csv, png", options.to));
     }
     fmt::print("{}\n", out.string());
     return exit_code::done;
@@ -74,7 +73,8 @@ void add_status(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("status", "tell how far a run is");
     verb->add_option("directory", options->directories, "the results directory")
         ->required()
-        ->expected(1);
+        ->expected(1)
+        ->type_name(value_kind::directory);
     verb->add_flag("--json", options->json, "as JSON");
     verb->callback([options, &action] { action = [options] { return show_status(*options); }; });
 }
@@ -83,8 +83,11 @@ void add_report(CLI::App& app, Action& action) {
     auto options = std::make_shared<ResultsOptions>();
     CLI::App* verb =
         app.add_subcommand("report", "figures and a page to open, of one run or several");
-    verb->add_option("directories", options->directories, "results directories")->required();
-    verb->add_option("-o,--output", options->out, "where to; else into the directory itself");
+    verb->add_option("directories", options->directories, "results directories")
+        ->required()
+        ->type_name(value_kind::directory);
+    verb->add_option("-o,--output", options->out, "where to; else into the directory itself")
+        ->type_name(value_kind::directory);
     verb->footer(
         "Several directories make a comparison. A run that is not finished is reported\n"
         "as far as it came. Prints the path of the page, report.html, which needs no\n"
@@ -97,9 +100,12 @@ void add_export(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("export", "the frames of a run for other programs");
     verb->add_option("directory", options->directories, "the results directory")
         ->required()
-        ->expected(1);
-    verb->add_option("--to", options->to, "vtk (ParaView), csv or png (figures)")->required();
-    verb->add_option("-o,--output", options->out, "where to; else a folder in the directory");
+        ->expected(1)
+        ->type_name(value_kind::directory);
+    add_choice(*verb, "--to", options->to, {{"vtk", "ParaView"}, {"csv", ""}, {"png", "figures"}})
+        ->required();
+    verb->add_option("-o,--output", options->out, "where to; else a folder in the directory")
+        ->type_name(value_kind::directory);
     verb->callback([options, &action] { action = [options] { return export_results(*options); }; });
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/case_options.hpp"
 #include "app/layout_progress.hpp"
+#include "app/option_values.hpp"
 #include "base/tell.hpp"
 #include "app/run_request.hpp"
 #include "app/verb.hpp"
@@ -100,9 +101,11 @@ int run(const RunOptions& options, const std::string& command_line) {
 
 void add_watching_options(CLI::App& verb, RunOptions& options) {
     verb.add_option("--max-time", options.max_time,
-                    "stop after 55m, 90s, 1h30m on the clock; exit 75");
-    verb.add_option("--until", options.until, "stop at this simulated time, \"50 ms\"; exit 75");
-    verb.add_option("--progress", options.progress, "auto, bar, log, json or none");
+                    "stop after 55m, 90s, 1h30m on the clock; exit 75")
+        ->type_name(value_kind::time);
+    verb.add_option("--until", options.until, "stop at this simulated time, \"50 ms\"; exit 75")
+        ->type_name(value_kind::time);
+    add_progress_option(verb, options.progress);
 }
 
 }  // namespace
@@ -112,7 +115,8 @@ void add_run(CLI::App& app, Action& action, const std::string& command_line) {
     CLI::App* verb =
         app.add_subcommand("run", "run a case, or go on with one that is not finished");
     add_case_options(*verb, options->given);
-    verb->add_option("-o,--output", options->directory, "results directory; else results/NAME");
+    verb->add_option("-o,--output", options->directory, "results directory; else results/NAME")
+        ->type_name(value_kind::directory);
     add_watching_options(*verb, *options);
     verb->add_flag("--fresh", options->fresh, "begin anew; former results are moved aside");
     verb->footer(
@@ -128,7 +132,9 @@ void add_run(CLI::App& app, Action& action, const std::string& command_line) {
 void add_resume(CLI::App& app, Action& action, const std::string& command_line) {
     auto options = std::make_shared<RunOptions>();
     CLI::App* verb = app.add_subcommand("resume", "go on with the run of a results directory");
-    verb->add_option("directory", options->directory, "the results directory")->required();
+    verb->add_option("directory", options->directory, "the results directory")
+        ->required()
+        ->type_name(value_kind::directory);
     add_set_option(*verb, options->given);
     add_threads_option(*verb, options->given.threads);
     add_watching_options(*verb, *options);

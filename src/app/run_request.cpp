@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
+#include <vector>
 
-#include "app/verb.hpp"
+#include "app/option_values.hpp"
 #include "case/resolve.hpp"
 
 namespace tt {
@@ -33,17 +35,30 @@ RunRequest request_for(const Case& c, const Choice& choice, const Model& model) 
     return request;
 }
 
+namespace {
+
+const std::vector<std::pair<std::string, ProgressMode>>& progress_modes() {
+    static const std::vector<std::pair<std::string, ProgressMode>> modes{
+        {"auto", ProgressMode::automatic},
+        {"bar", ProgressMode::bar},
+        {"log", ProgressMode::log},
+        {"json", ProgressMode::json},
+        {"none", ProgressMode::none}};
+    return modes;
+}
+
+}  // namespace
+
+void add_progress_option(CLI::App& verb, std::string& word) {
+    std::vector<OptionWord> words;
+    for (const auto& [name, mode] : progress_modes()) words.push_back({name, ""});
+    add_choice(verb, "--progress", word, words);
+}
+
 ProgressMode progress_mode(const std::string& word) {
-    static const std::map<std::string, ProgressMode> modes{{"auto", ProgressMode::automatic},
-                                                           {"bar", ProgressMode::bar},
-                                                           {"log", ProgressMode::log},
-                                                           {"json", ProgressMode::json},
-                                                           {"none", ProgressMode::none}};
-    const auto mode = modes.find(word);
-    if (mode == modes.end())
-        throw CommandError(
-            fmt::format("--progress {} is not one of auto, bar, log, json, none", word));
-    return mode->second;
+    return std::find_if(progress_modes().begin(), progress_modes().end(),
+                        [&](const auto& mode) { return mode.first == word; })
+        ->second;
 }
 
 }  // namespace tt

@@ -3,6 +3,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -44,5 +45,12 @@ void add_export(CLI::App& app, Action& action);
 void add_calibrate(CLI::App& app, Action& action, const std::string& command_line);
 void add_selftest(CLI::App& app, Action& action);
 void add_keys(CLI::App& app, Action& action);
+
+// Two that are no help to people: the build and the shells call them.
+void add_manual(CLI::App& app, Action& action);
+void add_complete(CLI::App& app, Action& action);
+
+/// The verbs that help, manual and completion show.
+std::vector<const CLI::App*> shown_verbs(const CLI::App& app);
 
 }  // namespace tt

@@ -13,21 +13,9 @@
 namespace tt {
 namespace {
 
-/// One key as the reference shows it.
-struct KeyLine {
-    std::string key;
-    std::string
-        example;  ///< `key = value`, the value in force if the key is left out where there is one
-    std::string bounds;  ///< words or range; empty if any value will do
-    std::string meaning;
-    bool required = false;
-};
-
-struct TableLines {
-    std::string name;
-    std::string meaning;
-    std::vector<KeyLine> keys;
-};
+std::string full_name(const std::string& table, std::string_view key) {
+    return table.empty() ? std::string(key) : fmt::format("{}.{}", table, key);
+}
 
 std::string bounds_text(const Range& range, std::string_view unit) {
     const auto text = [&](double v) { return to_text(v, v == 0.0 ? std::string_view{} : unit); };
@@ -49,17 +37,20 @@ std::string sample(const F& field, const T& value, bool required) {
 }
 
 template <class F, class T>
-KeyLine key_line(const F& field, const T& value) {
+KeyLine key_line(const std::string& table, const F& field, const T& value) {
     KeyLine line;
-    line.key = field.key;
+    line.full_name = full_name(table, field.key);
     if constexpr (is_quantity<T>) line.required = !field.range.contains(value.si);
     line.example = fmt::format("{} = {}", field.key, sample(field, value, line.required));
     line.meaning = field.meaning;
     line.bounds = bounds_text(field.range, unit_of(field.example));
-    if (!field.choices.empty())
-        line.bounds += fmt::format("{}{}", line.bounds.empty() ? "" : " | ",
-                                   fmt::join(split(field.choices, '|'), " | "));
-    if constexpr (std::is_same_v<item_type<T>, bool>) line.bounds = "true | false";
+    constexpr bool flag = std::is_same_v<item_type<T>, bool>;
+    const std::string_view words = flag ? std::string_view("true|false") : field.choices;
+    if (!words.empty()) {
+        for (const std::string_view word : split(words, '|')) line.words.emplace_back(word);
+        line.bounds +=
+            fmt::format("{}{}", line.bounds.empty() ? "" : " | ", fmt::join(line.words, " | "));
+    }
     if (line.required)
         line.bounds += line.bounds.empty() ? "must be given" : "; must be given";
     else if constexpr (is_optional<T>)
@@ -68,29 +59,21 @@ KeyLine key_line(const F& field, const T& value) {
 }
 
 template <TomlTable S>
-void collect(const std::string& path, std::string_view meaning, std::vector<TableLines>& tables) {
+void collect(const std::string& path, std::string_view meaning, std::vector<KeyTable>& tables) {
     const S defaults{};
-    TableLines table{path, std::string(meaning), {}};
+    KeyTable table{path, std::string(meaning), {}};
     for_each_field<S>([&](const auto& field) {
         const auto& value = defaults.*field.member;
         if constexpr (!TomlTable<std::remove_cvref_t<decltype(value)>>)
-            table.keys.push_back(key_line(field, value));
+            table.keys.push_back(key_line(path, field, value));
     });
     tables.push_back(std::move(table));
     for_each_field<S>([&](const auto& field) {
         using T = std::remove_cvref_t<decltype(defaults.*field.member)>;
         if constexpr (TomlTable<T>) {
-            const std::string below =
-                path.empty() ? std::string(field.key) : fmt::format("{}.{}", path, field.key);
-            collect<T>(below, field.meaning, tables);
+            collect<T>(full_name(path, field.key), field.meaning, tables);
         }
     });
-}
-
-std::vector<TableLines> all_tables() {
-    std::vector<TableLines> tables;
-    collect<Case>("", "keys at the top of the file", tables);
-    return tables;
 }
 
 /// Whatever the case of its letters.
@@ -100,26 +83,22 @@ bool contains(std::string_view text, std::string_view word) {
                        [&](char a, char b) { return lower(a) == lower(b); }) != text.end();
 }
 
-std::string full_name(const TableLines& table, const KeyLine& line) {
-    return table.name.empty() ? line.key : table.name + "." + line.key;
-}
-
-/// The tables with those of their keys of which `wanted(table, key)` holds.
+/// The tables with those of their keys of which `wanted(key)` holds.
 template <class Wanted>
-std::vector<TableLines> chosen(Wanted wanted) {
-    std::vector<TableLines> tables = all_tables();
-    for (TableLines& table : tables)
-        std::erase_if(table.keys, [&](const KeyLine& line) { return !wanted(table, line); });
-    std::erase_if(tables, [](const TableLines& table) { return table.keys.empty(); });
+std::vector<KeyTable> chosen(Wanted wanted) {
+    std::vector<KeyTable> tables = reference_tables();
+    for (KeyTable& table : tables)
+        std::erase_if(table.keys, [&](const KeyLine& line) { return !wanted(line); });
+    std::erase_if(tables, [](const KeyTable& table) { return table.keys.empty(); });
     return tables;
 }
 
-std::string listed(const std::vector<TableLines>& tables) {
+std::string listed(const std::vector<KeyTable>& tables) {
     constexpr std::size_t width = 79;
     constexpr std::size_t indent = 6;
     const std::string margin(indent, ' ');
     std::string text;
-    for (const TableLines& table : tables) {
+    for (const KeyTable& table : tables) {
         const std::string header =
             table.name.empty() ? table.meaning : fmt::format("[{}]  {}", table.name, table.meaning);
         text += fmt::format("{}{}\n", text.empty() ? "" : "\n", wrapped(header, width, 2));
@@ -141,19 +120,36 @@ std::string escaped(std::string_view text) {
 
 }  // namespace
 
+const std::string_view how_to_write_values =
+    "A quantity is a string with its unit: `\"80 um\"`, `\"6e-3 dyn/cm\"`, `\"500 /s\"`. Any unit "
+    "of "
+    "the right kind will\n"
+    "do, with the prefixes z a f p n u m c d k M G on m, g, s, Hz, N, dyn, J, erg, eV, Pa, bar, "
+    "mH2O, P, St and L; also\n"
+    "min, h, mmHg, atm, %, deg, rad and kT, which is at 310 K: 4.28e-21 J. Between units stands a "
+    "space, `*` or `.`; powers\n"
+    "are `m^3`, `m3` or `s-1`. Under a `/` stands one unit, or several in brackets. A key that "
+    "says \"may be left out\" may\n"
+    "also be `\"auto\"`. The values shown are those in force without the key, or an example where "
+    "there is none.";
+
+std::vector<KeyTable> reference_tables() {
+    std::vector<KeyTable> tables;
+    collect<Case>("", "keys at the top of the file", tables);
+    return tables;
+}
+
 std::string reference_text(std::string_view word) {
-    const auto named = [&](const TableLines& table, const KeyLine& line) {
-        return contains(full_name(table, line), word);
-    };
-    const auto told_of = [&](const TableLines& table, const KeyLine& line) {
-        return !named(table, line) && (contains(line.meaning, word) || contains(line.bounds, word));
+    const auto named = [&](const KeyLine& line) { return contains(line.full_name, word); };
+    const auto told_of = [&](const KeyLine& line) {
+        return !named(line) && (contains(line.meaning, word) || contains(line.bounds, word));
     };
     const std::string text = listed(chosen(named));
     if (text.empty()) return listed(chosen(told_of));
     std::string others;
-    for (const TableLines& table : chosen(told_of))
+    for (const KeyTable& table : chosen(told_of))
         for (const KeyLine& line : table.keys)
-            others += (others.empty() ? "" : ", ") + full_name(table, line);
+            others += (others.empty() ? "" : ", ") + line.full_name;
     if (others.empty()) return text;
     return text + "\n" + wrapped("What these do has it too: " + others, 79, 2) + "\n";
 }
@@ -162,20 +158,9 @@ std::string reference_markdown() {
     std::string text =
         "# Keys of the case file\n\n"
         "Made by `tanktread keys --markdown` from the lists that the program reads by; a test "
-        "holds both together.\n\n"
-        "A quantity is a string with its unit: `\"80 um\"`, `\"6e-3 dyn/cm\"`, `\"500 /s\"`. Any "
-        "unit of the right kind will\n"
-        "do, with the prefixes z a f p n u m c d k M G on m, g, s, Hz, N, dyn, J, erg, eV, Pa, "
-        "bar, "
-        "mH2O, P, St and L; also\n"
-        "min, h, mmHg, atm, %, deg, rad and kT, which is at 310 K: 4.28e-21 J. Between units "
-        "stands "
-        "a space, `*` or `.`; powers\n"
-        "are `m^3`, `m3` or `s-1`. Under a `/` stands one unit, or several in brackets. A key that "
-        "says \"may be left out\" may\n"
-        "also be `\"auto\"`. The values shown are those in force without the key, or an example "
-        "where there is none.\n";
-    for (const TableLines& table : all_tables()) {
+        "holds both together.\n\n" +
+        std::string(how_to_write_values) + "\n";
+    for (const KeyTable& table : reference_tables()) {
         const std::string header =
             table.name.empty() ? "At the top" : fmt::format("[{}]", table.name);
         text += fmt::format("\n## {}\n\n{}.\n\n| key | meaning | values |\n|---|---|---|\n", header,
