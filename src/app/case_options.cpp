@@ -1,8 +1,5 @@
 #include "app/case_options.hpp"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +12,7 @@
 #include "app/option_values.hpp"
 #include "app/verb.hpp"
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/processors.hpp"
 #include "base/units.hpp"
 #include "case/read.hpp"
@@ -53,14 +51,10 @@ GivenCase read_given_case(const CaseOptions& options) {
     return result;
 }
 
-void expect_memory(const Choice& choice) {
+void expect_memory(const Case& c, const Choice& choice) {
     constexpr double bytes_per_site = 250.0;  // as `check` measures, with room for the program
-    double bytes = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
-                   static_cast<double>(::sysconf(_SC_PAGESIZE));
-    struct rlimit limit {};
-    if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-        bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));
-    expect_sites(choice, bytes / bytes_per_site,
+    const double bytes = usable_memory();
+    expect_sites(c, choice, bytes / bytes_per_site,
                  fmt::format("fit into {:.2g} GB of memory", 1e-9 * bytes));
 }
 

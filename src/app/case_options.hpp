@@ -34,8 +34,9 @@ struct GivenCase {
 /// none.
 GivenCase read_given_case(const CaseOptions& options);
 
-/// Throws CaseError if the sites of the grid are more than the memory of this machine can hold.
-void expect_memory(const Choice& choice);
+/// Throws CaseError if the sites of the grid are more than fit into the memory that this process
+/// may use.
+void expect_memory(const Case& c, const Choice& choice);
 
 /// Adds --set alone.
 void add_set_option(CLI::App& verb, CaseOptions& options);

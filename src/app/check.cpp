@@ -263,7 +263,7 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
 int check(const CheckOptions& options) {
     const Case c = read_given_case(options.given).c;
     const Choice choice = choose(c);
-    expect_memory(choice);
+    expect_memory(c, choice);
     Model model = discretise(c, choice);
     const ThreadChoice threads = choose_threads(options.given.threads, c, choice);
     model.threads = threads.threads;

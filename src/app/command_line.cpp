@@ -101,6 +101,8 @@ int perform(const Action& action) {
         return tell(error.what(), exit_code::input_output);
     } catch (const DirectoryInUse& error) {
         return tell(error.what(), exit_code::directory_in_use);
+    } catch (const StoppedEarly& stop) {
+        return tell(stop.what(), exit_code::stopped_early);
     } catch (const SimulationError& error) {
         return tell(error.what(), exit_code::unstable);
     } catch (const std::filesystem::filesystem_error& error) {

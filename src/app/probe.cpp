@@ -9,6 +9,7 @@
 #include "base/parallel.hpp"
 #include "exchange/periodic.hpp"
 #include "simulation/advance.hpp"
+#include "simulation/state_archive.hpp"
 
 namespace tt {
 namespace {
@@ -53,6 +54,8 @@ Probe probe(const Model& model, State state) {
         total += seconds;
         if (seconds < 0.05) steps *= 2;
     }
+    State kept;  // as a run keeps its last good state (LastGood)
+    copy_saved(state, kept);
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     result.memory_bytes = 1024.0 * static_cast<double>(usage.ru_maxrss);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/case_options.hpp"
 #include "app/layout_progress.hpp"
@@ -21,6 +22,7 @@
 #include "exchange/periodic.hpp"
 #include "io/file.hpp"
 #include "observe/run_case.hpp"
+#include "simulation/stop.hpp"
 
 namespace tt {
 namespace {
@@ -35,6 +37,17 @@ struct RunOptions {
     std::string progress = "auto";
     bool fresh = false;
 };
+
+/// Placing many cells takes a while; who asks for a stop does not wait for it.
+LayoutWatch stoppable(LayoutWatch watch) {
+    return [watch = std::move(watch)](int cells, double filled) {
+        if (stop_requested())
+            throw StoppedEarly(
+                "stopped while cells were placed, before the first step; nothing was written, the "
+                "same command begins again");
+        watch(cells, filled);
+    };
+}
 
 /// What to do next, for people: a reader of --progress json sees nothing but JSON.
 void tell_next(const RunRequest& request, const std::string& lines) {
@@ -68,7 +81,7 @@ int run(const RunOptions& options, const std::string& command_line) {
     const GivenCase given = read_given_case(options.given);
     const Case& c = given.c;
     const Choice choice = choose(c);
-    expect_memory(choice);
+    expect_memory(c, choice);
     Model model = discretise(c, choice);
     model.threads = choose_threads(options.given.threads, c, choice).threads;
     RunRequest request = request_for(c, choice, model);
@@ -89,7 +102,7 @@ int run(const RunOptions& options, const std::string& command_line) {
         request.until = until;
     }
     const auto start = [&] {
-        State initial = initial_state(c, model, layout_progress(request.progress));
+        State initial = initial_state(c, model, stoppable(layout_progress(request.progress)));
         expect_stable(c, choice, model, initial);
         return initial;
     };

@@ -42,6 +42,12 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// A stop was asked for before there was anything to go on from (exit 75).
+class StoppedEarly : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 /// What a guard saw. cell and node are -1 where they do not apply; values are in the stated unit.
 struct Instability {
     std::string quantity;  ///< e.g. "node step"

@@ -6,22 +6,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <thread>
+
+#include "base/control_groups.hpp"
 
 namespace tt {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The first word of a file; empty where there is none.
-std::string word_of(const fs::path& path) {
-    std::ifstream file(path);
-    std::string word;
-    file >> word;
-    return word;
-}
 
 /// Processors from a quota and its period [µs]; 0: none.
 int processors(const std::string& quota, const std::string& period) {
@@ -40,15 +33,6 @@ int quota_of(const fs::path& group) {
 
 int lesser_quota(int a, int b) { return a == 0 || (b != 0 && b < a) ? b : a; }
 
-/// Of the group `path` under `mount` and all above it.
-int quota_on_the_way(const fs::path& mount, const fs::path& path) {
-    int smallest = quota_of(mount);
-    fs::path group = mount;
-    for (const fs::path& part : path.relative_path())
-        smallest = lesser_quota(smallest, quota_of(group /= part));
-    return smallest;
-}
-
 int processors_by_affinity() {
     cpu_set_t set;
     CPU_ZERO(&set);
@@ -56,28 +40,11 @@ int processors_by_affinity() {
     return static_cast<int>(std::thread::hardware_concurrency());  // more than 1024 of them
 }
 
-std::string text_of(const char* path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
-int processors_by_quota(const fs::path& mount, std::string_view membership) {
+int processors_by_quota(const std::vector<fs::path>& groups) {
     int smallest = 0;
-    while (!membership.empty()) {
-        const std::size_t end = std::min(membership.find('\n'), membership.size());
-        const std::string_view line = membership.substr(0, end);
-        membership.remove_prefix(std::min(end + 1, membership.size()));
-        // "0::/path" of version 2, "4:cpu,cpuacct:/path" of version 1
-        const std::size_t first = line.find(':');
-        const std::size_t second = line.find(':', first + 1);
-        if (first == line.npos || second == line.npos) continue;
-        const std::string_view controllers = line.substr(first + 1, second - first - 1);
-        const fs::path path(line.substr(second + 1));
-        if (controllers.empty() || controllers.find("cpu") != controllers.npos)
-            smallest = lesser_quota(smallest, quota_on_the_way(mount / controllers, path));
-    }
+    for (const fs::path& group : groups) smallest = lesser_quota(smallest, quota_of(group));
     return smallest;
 }
 
@@ -88,7 +55,7 @@ int threads_for(std::int64_t sites, std::int64_t nodes, int usable) {
 
 int usable_processors() {
     const int allowed = std::max(1, processors_by_affinity());
-    const int quota = processors_by_quota("/sys/fs/cgroup", text_of("/proc/self/cgroup"));
+    const int quota = processors_by_quota(control_groups("cpu"));
     return quota == 0 ? allowed : std::min(allowed, quota);
 }
 

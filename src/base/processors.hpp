@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string_view>
+#include <vector>
 
 namespace tt {
 
@@ -16,9 +16,8 @@ int usable_processors();
 /// measured on two cores (docs/performance.md). At least 1.
 int threads_for(std::int64_t sites, std::int64_t nodes, int usable);
 
-/// The smallest quota of processors, rounded up, of the control groups in `membership` (the text of
-/// /proc/self/cgroup) and those above them, under `mount` (/sys/fs/cgroup). Version 2 keeps it in
-/// cpu.max, version 1 in cpu.cfs_quota_us and cpu.cfs_period_us. 0: no quota.
-int processors_by_quota(const std::filesystem::path& mount, std::string_view membership);
+/// The smallest quota of processors, rounded up, among control groups of `cpu`. Version 2 keeps it
+/// in cpu.max, version 1 in cpu.cfs_quota_us and cpu.cfs_period_us. 0: none has one.
+int processors_by_quota(const std::vector<std::filesystem::path>& groups);
 
 }  // namespace tt

@@ -163,22 +163,28 @@ double Choice::expected_change() const {
     return change;
 }
 
-void expect_sites(const Choice& choice, double most, const std::string& why) {
-    const double sites = static_cast<double>(choice.nx) * choice.ny;
+void expect_sites(const Case& c, const Choice& choice, double most, const std::string& why) {
+    const double sites = static_cast<double>(choice.nx) * choice.ny, dx = choice.dx.si;
     if (sites <= most) return;
-    // Coarser by a whole number that divides both sides, else shorter.
-    constexpr int coarsest = 1000;
+    // Coarser by a whole number that divides both sides, as far as that is allowed; else the longer
+    // side shorter.
+    const double narrowest = c.domain.width.si / 6.0, smallest = c.cells.radius.si / 4.0;
+    const double coarsest = c.numerics.fluid_only ? narrowest : std::min(narrowest, smallest);
     int factor = static_cast<int>(std::ceil(std::sqrt(sites / most)));
-    while (factor <= coarsest && (choice.nx % factor != 0 || choice.ny % factor != 0)) ++factor;
-    const auto text = [](double length) { return rounded_text(Length{length}, 9); };
-    throw CaseError(
-        {{"", 0, 0,
-          fmt::format("[domain] the box has {:.3g} sites of {}, and at most {:.3g} {}; write {}",
-                      sites, rounded_text(choice.dx), most, why,
-                      factor <= coarsest
-                          ? fmt::format("dx = \"{}\"", text(factor * choice.dx.si))
-                          : fmt::format("length = \"{}\"",
-                                        text(std::floor(most / choice.ny) * choice.dx.si)))}});
+    while (factor * dx <= coarsest && (choice.nx % factor != 0 || choice.ny % factor != 0))
+        ++factor;
+    const auto write = [](const char* key, double length) {
+        return fmt::format("{} = \"{}\"", key, rounded_text(Length{length}, 9));
+    };
+    const bool is_long = choice.nx >= choice.ny;
+    const double left = std::floor(most / std::min(choice.nx, choice.ny)) * dx;
+    throw CaseError({{"", 0, 0,
+                      fmt::format("[domain] the box has {:.3g} sites of {}, and at most {:.3g} {}; "
+                                  "write {}",
+                                  sites, rounded_text(choice.dx), most, why,
+                                  factor * dx <= coarsest ? write("dx", factor * dx)
+                                  : is_long               ? write("length", left)
+                                                          : write("width", left))}});
 }
 
 Length fitting_spacing(const Case& c, Length most) {
@@ -191,7 +197,7 @@ Length fitting_spacing(const Case& c, Length most) {
 Choice choose(const Case& c) {
     Choice choice;
     choose_grid(c, choice);
-    expect_sites(choice, 1e9, "are possible");
+    expect_sites(c, choice, 1e9, "are possible");
     choice.equilibrium = choose_equilibrium(c);
     choice.delta = choose_delta(c);
     choice.jump_correction = choose_jump_correction(c);

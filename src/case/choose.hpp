@@ -41,7 +41,7 @@ struct Choice {
 
 /// Throws CaseError, with what to write, if the grid has more than `most` sites; `why` ends "at
 /// most … ".
-void expect_sites(const Choice& choice, double most, const std::string& why);
+void expect_sites(const Case& c, const Choice& choice, double most, const std::string& why);
 
 /// The largest site spacing not above `most` that divides width and length into whole sites; `most`
 /// itself where none within a factor of two does.

@@ -32,7 +32,7 @@ std::size_t element_size(char code) {
 fs::path with_suffix(fs::path path, const char* suffix) { return path += suffix; }
 
 /// Gives what stands at `path` a second name, so that `path` itself is never absent.
-void keep(const fs::path& path, const fs::path& previous) {
+void keep(const fs::path& path, const fs::path& previous, Durability durability) {
     std::error_code code;
     if (!fs::exists(path, code)) return;
     const fs::path link = with_suffix(previous, ".tmp");
@@ -40,7 +40,7 @@ void keep(const fs::path& path, const fs::path& previous) {
     fs::create_hard_link(path, link, code);
     // A file system without hard links: for a moment only `previous` exists, which readers fall
     // back to.
-    move_into_place(code ? path : link, previous, Durability::power);
+    move_into_place(code ? path : link, previous, durability);
 }
 
 }  // namespace
@@ -72,15 +72,15 @@ void ArchiveWriter::write(const void* bytes, std::size_t size) {
     file_.write(bytes, size);
 }
 
-void ArchiveWriter::commit(const fs::path& previous) {
+void ArchiveWriter::commit(const fs::path& previous, Durability durability) {
     const std::uint32_t end = 0;
     write(&end, sizeof end);
     const std::uint64_t hash = checksum_.value();
     file_.write(&hash, sizeof hash);
-    file_.sync();
+    if (durability == Durability::power) file_.sync();
     file_.close();
-    if (!previous.empty()) keep(path_, previous);
-    move_into_place(temporary_, path_, Durability::power);
+    if (!previous.empty()) keep(path_, previous, durability);
+    move_into_place(temporary_, path_, durability);
     temporary_.clear();
 }
 

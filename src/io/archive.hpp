@@ -100,8 +100,9 @@ public:
         write(buffer.bytes().data(), buffer.bytes().size());
     }
 
-    /// Finishes, syncs and moves the archive into its place. What stood there stays as `previous`.
-    void commit(const std::filesystem::path& previous);
+    /// Finishes the archive and moves it into its place. What stood there stays as `previous`. With
+    /// Durability::process it returns before the archive is on the disk.
+    void commit(const std::filesystem::path& previous, Durability durability = Durability::power);
     /// The same, keeping nothing of what stood there.
     void commit() { commit({}); }
 

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/memory.hpp"
 
 namespace tt {
 namespace {
@@ -26,8 +27,7 @@ namespace fs = std::filesystem;
 /// The most bytes that are read into memory.
 std::uint64_t size_limit(Author author) {
     if (author == Author::user) return std::uint64_t{16} << 20;
-    return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
-           static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+    return static_cast<std::uint64_t>(usable_memory());
 }
 
 /// A file being read. It is opened without waiting: a pipe without a writer, or a file of the

@@ -1,10 +1,13 @@
 #include "observe/checkpoints.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/version.hpp"
+#include "observe/frame_recorder.hpp"
+#include "observe/series.hpp"
 #include "simulation/state_archive.hpp"
 
 namespace tt {
@@ -28,7 +31,7 @@ Checkpoints::Checkpoints(const std::filesystem::path& results, std::string setti
     : folder_(results / "checkpoint"), settings_(std::move(settings)) {}
 
 void Checkpoints::save(const State& state, const Observers& observers, double wall_seconds,
-                       const std::function<void()>& last_look) {
+                       Durability durability, const std::function<void()>& last_look) {
     make_directory(folder_);
     for (const auto& observer : observers) observer->sync();
     ArchiveWriter archive(current());
@@ -41,8 +44,23 @@ void Checkpoints::save(const State& state, const Observers& observers, double wa
         archive.enter(after_last_look);
         for (const auto& observer : observers) observer->save(archive);
     }
-    archive.commit(previous());
+    archive.commit(previous(), durability);
     saved_step_ = state.step;
+}
+
+void Checkpoints::expect_sound(ArchiveReader& archive, const State& state) {
+    const auto seconds = archive.value<double>("wall_seconds");
+    if (!(seconds >= 0.0) || !std::isfinite(seconds))
+        throw DamagedArchive(
+            fmt::format("the checkpoint cannot be loaded: its run took {} s", seconds));
+    const bool has_last = archive.has(last_look_taken);
+    for (const char* prefix : {"", after_last_look}) {
+        if (prefix == after_last_look && !has_last) continue;
+        archive.enter(prefix);
+        Series::examine(archive, state);
+        FrameRecorder::examine(archive);
+    }
+    archive.enter("");
 }
 
 void Checkpoints::resume(ArchiveReader& archive, const Observers& observers, bool at_end) {
@@ -57,15 +75,15 @@ void Checkpoints::resume(ArchiveReader& archive, const Observers& observers, boo
     archive.enter("");
 }
 
-std::optional<ArchiveReader> Checkpoints::newest(
-    const std::function<void(const std::string&)>& say,
-    const std::function<void(const ArchiveReader&)>& load) {
+std::optional<ArchiveReader> Checkpoints::newest(const std::function<void(const std::string&)>& say,
+                                                 const std::function<void(ArchiveReader&)>& load) {
     std::string faults;
     for (const auto& path : {current(), previous()}) {
         if (!std::filesystem::exists(path)) continue;
         try {
             ArchiveReader archive(path);
             load(archive);
+            sync_file(path);  // the next one makes it the previous
             saved_step_ = archive.value<std::int64_t>("step");
             return archive;
         } catch (const DamagedArchive& error) {

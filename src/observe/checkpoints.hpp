@@ -24,21 +24,27 @@ class Checkpoints {
 public:
     Checkpoints(const std::filesystem::path& results, std::string settings);
 
-    /// Never half-written: the new one takes its place only when it is whole and on the disk. At
-    /// the end of a run `last_look` is called in between, for looks beyond the observers' schedule,
-    /// and the observers are saved once more: a longer run goes on from what they remembered before
+    /// Never half-written: the new one takes its place only when it is whole, and with
+    /// Durability::power only when it is on the disk. A stop does not wait for that: should the
+    /// power fail in the seconds after, the one before is there still, and on the disk. At the end
+    /// of a run `last_look` is called in between, for looks beyond the observers' schedule, and the
+    /// observers are saved once more: a longer run goes on from what they remembered before
     /// (`resume`), ending once more from what they remember after.
     void save(const State& state, const Observers& observers, double wall_seconds,
-              const std::function<void()>& last_look = {});
+              Durability durability, const std::function<void()>& last_look = {});
+
+    /// DamagedArchive if what it holds beside the `state` in it cannot be of a run.
+    static void expect_sound(ArchiveReader& archive, const State& state);
 
     /// Resumes the observers of the state in `archive`.
     static void resume(ArchiveReader& archive, const Observers& observers, bool at_end);
 
-    /// The newest sound checkpoint. One that is damaged, or whose content makes `load` throw
-    /// DamagedArchive, is renamed to `damaged` and passed over with a message to `say`. Nothing if
-    /// there is none at all; DamagedArchive if there are some and none is sound.
+    /// The newest sound checkpoint, which is on the disk when this returns. One that is damaged, or
+    /// whose content makes `load` throw DamagedArchive, is renamed to `damaged` and passed over
+    /// with a message to `say`. Nothing if there is none at all; DamagedArchive if there are some
+    /// and none is sound.
     std::optional<ArchiveReader> newest(const std::function<void(const std::string&)>& say,
-                                        const std::function<void(const ArchiveReader&)>& load);
+                                        const std::function<void(ArchiveReader&)>& load);
 
     /// Have there been any, sound or not?
     bool exist() const;

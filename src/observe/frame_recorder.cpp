@@ -1,6 +1,7 @@
 #include "observe/frame_recorder.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -103,8 +104,7 @@ void FrameRecorder::resume(const ArchiveReader& archive) {
     const auto time = archive.take<double>("frames.time");
     const auto step = archive.take<std::int64_t>("frames.step");
     std::vector<FrameTime> kept;
-    for (std::size_t k = 0; k < std::min(time.size(), step.size()); ++k)
-        kept.push_back({time[k], step[k]});
+    for (std::size_t k = 0; k < time.size(); ++k) kept.push_back({time[k], step[k]});
     writer_.emplace(directory_, header_, kept);
 }
 
@@ -124,6 +124,18 @@ void FrameRecorder::save(ArchiveOutput& archive) const {
     }
     archive.put("frames.time", time);
     archive.put("frames.step", step);
+}
+
+void FrameRecorder::examine(const ArchiveReader& archive) {
+    interval_in(archive, "frames.interval");
+    const auto time = archive.take<double>("frames.time");
+    const auto step = archive.take<std::int64_t>("frames.step");
+    const bool in_time = std::all_of(time.begin(), time.end(),
+                                     [](double t) { return t >= 0.0 && std::isfinite(t); });
+    const bool in_steps =
+        std::all_of(step.begin(), step.end(), [](std::int64_t n) { return n >= 0; });
+    if (time.size() != step.size() || !in_time || !in_steps)
+        throw DamagedArchive("the checkpoint cannot be loaded: its list of frames is wrong");
 }
 
 void FrameRecorder::finish() {

@@ -32,6 +32,9 @@ public:
     void save(ArchiveOutput& archive) const override;
     void finish() override;
 
+    /// DamagedArchive if what was saved cannot be of a run.
+    static void examine(const ArchiveReader& archive);
+
 private:
     bool fields_due(std::int64_t step) const;
 

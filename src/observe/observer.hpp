@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "io/archive.hpp"
 #include "observe/snapshot.hpp"
 #include "simulation/schedule.hpp"
@@ -32,5 +34,8 @@ public:
 private:
     Schedule schedule_;
 };
+
+/// Of a checkpoint: an interval [s] that a Schedule can be made of. DamagedArchive if it is none.
+double interval_in(const ArchiveReader& archive, std::string_view name);
 
 }  // namespace tt

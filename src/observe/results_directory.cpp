@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -49,6 +50,20 @@ void expect_results(const fs::path& path) {
             fmt::format("'{}' holds files but no results of ours; choose another directory with -o",
                         path.string()));
     }
+}
+
+/// Where it lies itself: of "results/name/" without the slash; of a link where that leads, as its
+/// disk was chosen and the link stays.
+fs::path own_place(const fs::path& path) {
+    const fs::path named = path.has_filename() ? path : path.parent_path();
+    return fs::is_symlink(named) ? fs::canonical(named) : named;
+}
+
+/// Of the directory and those it is in, the uppermost that does not exist.
+fs::path first_absent(fs::path path) {
+    fs::path absent;
+    for (; !path.empty() && !fs::exists(path); path = path.parent_path()) absent = path;
+    return absent;
 }
 
 bool has_no_locks(int code) { return code == ENOSYS || code == EOPNOTSUPP || code == ENOLCK; }
@@ -135,7 +150,8 @@ std::optional<fs::path> DirectoryLock::moved() const {
     return place.parent_path();
 }
 
-ResultsDirectory::ResultsDirectory(const fs::path& path, Start start) : path_(path) {
+ResultsDirectory::ResultsDirectory(const fs::path& path, Start start)
+    : path_(path), made_(first_absent(path)) {
     expect_results(path_);
     make_directory(path_);
     lock_.acquire(path_);
@@ -145,9 +161,7 @@ ResultsDirectory::ResultsDirectory(const fs::path& path, Start start) : path_(pa
 }
 
 void ResultsDirectory::move_aside() {
-    fs::path base = path_;
-    if (!base.has_filename()) base = base.parent_path();   // "results/name/"
-    if (fs::is_symlink(base)) base = fs::canonical(base);  // its disk was chosen; the link stays
+    const fs::path base = own_place(path_);
     int number = 1;
     do {
         moved_to_ = base;
@@ -156,6 +170,24 @@ void ResultsDirectory::move_aside() {
     move_into_place(base, moved_to_, Durability::power);
     lock_.release();
     make_directory(base);
+}
+
+void ResultsDirectory::withdraw() {
+    // Still ours: nobody begins in it meanwhile.
+    if (!holds_results(path_) && !holds_something(path_)) {
+        std::error_code ignored;
+        if (!moved_to_.empty()) {
+            const fs::path base = own_place(path_);
+            fs::remove_all(base);
+            move_into_place(std::exchange(moved_to_, {}), base, Durability::power);
+        } else if (!made_.empty()) {
+            fs::remove_all(path_);
+            // Those it is in may have got other runs since.
+            for (fs::path up = path_; up != made_ && !ignored;)
+                fs::remove(up = up.parent_path(), ignored);
+        }
+    }
+    lock_.release();
 }
 
 bool is_running(const fs::path& results) {

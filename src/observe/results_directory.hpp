@@ -40,6 +40,10 @@ public:
     /// holds something else than results; IoError if it cannot be made.
     ResultsDirectory(const std::filesystem::path& path, Start start);
 
+    /// Leaves everything as the constructor found it: for a run that is refused before it begins,
+    /// with nothing written but its log.
+    void withdraw();
+
     const std::filesystem::path& path() const { return path_; }
     /// Where the former content went; empty if nothing was moved.
     const std::filesystem::path& moved_to() const { return moved_to_; }
@@ -50,6 +54,7 @@ private:
     void move_aside();
 
     std::filesystem::path path_;
+    std::filesystem::path made_;  ///< the uppermost directory that was made; empty: none
     std::filesystem::path moved_to_;
     DirectoryLock lock_;
 };

@@ -35,8 +35,8 @@ public:
 private:
     void set_observers(Time series, Time frames);
     void start(const std::function<State()>& initial);
-    void load(const ArchiveReader& archive);
-    void use(const ArchiveReader& archive);
+    void load(ArchiveReader& archive);
+    void use(ArchiveReader& archive);
     ArchiveReader changed_after_failure();
     void leave_failure_behind();
     void resume(ArchiveReader& archive);
@@ -44,7 +44,7 @@ private:
 
     void loop();
     void attend_to_duties();
-    void save_checkpoint();
+    void save_checkpoint(Durability durability = Durability::power);
     void keep_good();
     void finish();
     Suggestion advice(const Instability& what);
@@ -102,7 +102,12 @@ void CaseRun::set_observers(Time series, Time frames) {
 }
 
 void CaseRun::start(const std::function<State()>& initial) {
-    state_ = initial();
+    try {
+        state_ = initial();
+    } catch (...) {  // refused
+        results_.withdraw();
+        throw;
+    }
     record_.begin(state_.step);
     write_record("running");
     record_.write_case();
@@ -122,7 +127,7 @@ void CaseRun::start(const std::function<State()>& initial) {
 }
 
 /// DamagedArchive if the state cannot be gone on with, DirectoryInUse if it is of another case.
-void CaseRun::load(const ArchiveReader& archive) {
+void CaseRun::load(ArchiveReader& archive) {
     expect_same_case(request_.directory, archive.text("settings"), request_.settings);
     use(archive);
 }
@@ -140,7 +145,7 @@ ArchiveReader CaseRun::changed_after_failure() {
 }
 
 /// The state as it was kept, in the units of this session's time step.
-void CaseRun::use(const ArchiveReader& archive) {
+void CaseRun::use(ArchiveReader& archive) {
     state_ = take_up(archive, model_, exchange_);
     health_.emplace(request_.limits, state_);
     if (const auto fault = health_->examine(model_, state_))
@@ -187,9 +192,9 @@ void CaseRun::tell_cadence(const char* what, Time before, std::optional<Time> as
 }
 
 /// Of a state that has been examined, as every one is that `start` or `run_steps` leaves.
-void CaseRun::save_checkpoint() {
+void CaseRun::save_checkpoint(Durability durability) {
     const std::function<void()> last_look = [this] { observers_.observe_others(model_, state_); };
-    checkpoints_.save(state_, observers_, record_.wall_seconds(),
+    checkpoints_.save(state_, observers_, record_.wall_seconds(), durability,
                       at_end() ? last_look : std::function<void()>());
     checkpoint_duty_.done();
 }
@@ -278,10 +283,9 @@ RunOutcome CaseRun::run(const std::function<State()>& initial) {
     const auto tell = [this](const std::string& message) { record_.say(message); };
     const bool failed_before = has_failed(results_.path());
     try {
-        auto archive =
-            failed_before
-                ? std::optional(changed_after_failure())
-                : checkpoints_.newest(tell, [this](const ArchiveReader& found) { load(found); });
+        auto archive = failed_before ? std::optional(changed_after_failure())
+                                     : checkpoints_.newest(
+                                           tell, [this](ArchiveReader& found) { load(found); });
         const std::int64_t step =
             archive ? state_.step
                     : recorded_status(results_.path()).value("step", std::int64_t{-1});
@@ -300,7 +304,8 @@ RunOutcome CaseRun::run(const std::function<State()>& initial) {
             start(initial);
         }
         loop();
-        if (checkpoints_.saved_step() != state_.step) save_checkpoint();
+        if (checkpoints_.saved_step() != state_.step)
+            save_checkpoint(at_end() ? Durability::power : Durability::process);
         if (!at_end()) {
             write_record("stopped");
             record_.say(fmt::format("stopped at step {} of {}; the same command resumes",

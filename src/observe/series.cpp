@@ -1,5 +1,9 @@
 #include "observe/series.hpp"
 
+#include <cmath>
+
+#include <fmt/format.h>
+
 #include "io/csv.hpp"
 
 namespace tt {
@@ -54,6 +58,19 @@ void Series::save(ArchiveOutput& archive) const {
     archive.put_value("series.last_time", last_time_);
     archive.put("series.phase", phase_);
     archive.put("series.last_rate", last_rate_);
+}
+
+void Series::examine(const ArchiveReader& archive, const State& state) {
+    interval_in(archive, "series.interval");
+    if (!std::isfinite(archive.value<double>("series.last_time")))
+        throw DamagedArchive("the checkpoint cannot be loaded: its last look has no time");
+    const auto cells = static_cast<std::size_t>(state.cells.cell_count());
+    for (const char* name : {"series.phase", "series.last_rate"}) {
+        const auto values = archive.take<double>(name);
+        if (!values.empty() && values.size() != cells)
+            throw DamagedArchive(fmt::format(
+                "the checkpoint cannot be loaded: '{}' is not of one number per cell", name));
+    }
 }
 
 }  // namespace tt

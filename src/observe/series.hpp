@@ -21,6 +21,9 @@ public:
     void sync() override;
     void save(ArchiveOutput& archive) const override;
 
+    /// DamagedArchive if what was saved cannot be of a run in `state`.
+    static void examine(const ArchiveReader& archive, const State& state);
+
 private:
     std::vector<CellMeasures> with_phase(const Snapshot& snapshot);
 

@@ -22,8 +22,9 @@ double time_step_of(const ArchiveReader& archive, const Model& model) {
 
 }  // namespace
 
-State take_up(const ArchiveReader& archive, const Model& model, Exchange& exchange) {
+State take_up(ArchiveReader& archive, const Model& model, Exchange& exchange) {
     State state = load_state(archive, model, exchange);
+    Checkpoints::expect_sound(archive, state);
     if (const double before = time_step_of(archive, model); before != model.scales.time) {
         change_time_step(model, model.scales.time / before, state);
         derive(model, state);

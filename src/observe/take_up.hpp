@@ -14,8 +14,8 @@
 namespace tt {
 
 /// The state in a checkpoint, in the units of the model's time step, which may be another than that
-/// of the run that wrote it.
-State take_up(const ArchiveReader& archive, const Model& model, Exchange& exchange);
+/// of the run that wrote it. DamagedArchive if what the checkpoint holds cannot be of a run.
+State take_up(ArchiveReader& archive, const Model& model, Exchange& exchange);
 
 /// The step at which a run with another time step than that of `archive` goes on, near `step`: what
 /// was due and done at the former step must not be due a step later. The step of a state that was

@@ -1,5 +1,6 @@
 #include "simulation/stop.hpp"
 
+#include <atomic>
 #include <csignal>
 #include <ctime>
 #include <initializer_list>
@@ -7,8 +8,10 @@
 namespace tt {
 namespace {
 
-volatile std::sig_atomic_t requests = 0;
-volatile std::sig_atomic_t interrupted = 0;
+// Counted by a handler, on whatever thread, and looked at by all.
+std::atomic<int> requests{0};
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 timespec first_interrupt{};  // written once, by the first INT, while INT is blocked
 
 double seconds_since(const timespec& start) {
@@ -22,11 +25,11 @@ double seconds_since(const timespec& start) {
 /// terminal that closes sends HUP beside; none of them may cost the checkpoint. Somebody at the
 /// keyboard who asks again after a second means it.
 void on_signal(int signal) {
-    requests = requests + 1;
+    ++requests;
     if (signal != SIGINT) return;
-    if (interrupted == 0) {
+    if (!interrupted) {
         clock_gettime(CLOCK_MONOTONIC, &first_interrupt);
-        interrupted = 1;
+        interrupted = true;
     } else if (seconds_since(first_interrupt) >= 1.0) {
         std::signal(signal, SIG_DFL);
         std::raise(signal);
@@ -53,13 +56,13 @@ void catch_stop_signals() {
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
-bool stop_requested() { return requests > 0; }
+bool stop_requested() { return requests.load(std::memory_order_relaxed) > 0; }
 
-void request_stop() { requests = requests + 1; }
+void request_stop() { ++requests; }
 
 void clear_stop_request() {
     requests = 0;
-    interrupted = 0;
+    interrupted = false;
 }
 
 }  // namespace tt

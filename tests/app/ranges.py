@@ -101,7 +101,7 @@ def follow(message, settings):
     table = re.search(r"\[(\w+(?:\.\w+)?)\]", message)
     known = {key.rsplit(".", 1)[1]: key for key, _ in ends} | {k.rsplit(".", 1)[1]: k for k in settings}
     full = lambda word: word if "." in word else known.get(word, f"{table[1]}.{word}" if table else word)
-    if write := re.search(r'write (?:at most )?([\w.]+) = ("[^"]*"|\[.*\]|[\w.+-]+)', message):
+    if write := re.search(r'(?:write|needs) (?:at most )?([\w.]+) = ("[^"]*"|\[.*\]|[\w.+-]+)', message):
         return {full(write[1]): write[2].strip('"')}
     if out := re.search(r"leave (?:it|(\w+)(?:, \w+)* and \w+|(\w+)) out", message):
         named = [w for w in re.findall(r"\w+", out[0]) if w in known]

@@ -1,9 +1,15 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <thread>
+#include <type_traits>
+#include <vector>
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -14,6 +20,7 @@
 #include "base/error.hpp"
 #include "base/random.hpp"
 #include "io/archive.hpp"
+#include "io/checksum.hpp"
 #include "io/csv.hpp"
 #include "io/frames.hpp"
 #include "io/json.hpp"
@@ -186,6 +193,63 @@ TEST_F(StopAndResume, a_full_disk_destroys_nothing_and_the_run_goes_on_with_more
 /// averages moves with the end.
 /// The last look is the one thing that a loaded state cannot give again.
 /// Killed in its very first writes.
+/// The archive with the first element of a section, of eight bytes each, made another or taken out.
+template <class T>
+void forge(const fs::path& path, const std::string& section, std::optional<T> value) {
+    std::string bytes = read_file(path);
+    bytes.resize(bytes.size() - sizeof(std::uint64_t));
+    const std::size_t count =
+        bytes.find(section + (std::is_same_v<T, double> ? 'd' : 'l')) + section.size() + 1;
+    const std::size_t element = count + sizeof(std::uint64_t);
+    if (value) {
+        bytes.replace(element, sizeof *value, reinterpret_cast<const char*>(&*value),
+                      sizeof *value);
+    } else {
+        std::uint64_t number = 0;
+        std::memcpy(&number, bytes.data() + count, sizeof number);
+        --number;
+        bytes.replace(count, sizeof number, reinterpret_cast<const char*>(&number), sizeof number);
+        bytes.erase(element, sizeof(T));
+    }
+    const std::uint64_t sum = checksum(bytes);
+    bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+    replace_file(path, bytes, Durability::process);
+}
+
+/// What the observers remember is looked at before anything is done by it.
+TEST_F(StopAndResume, a_checkpoint_with_forged_surroundings_is_passed_over) {
+    const RunRequest request = small_request(path("forged"), steps);
+    stop_midway(request);
+    const fs::path current = path("forged") / "checkpoint/current";
+    fs::copy(path("forged"), path("sound"), fs::copy_options::recursive);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double inf = std::numeric_limits<double>::infinity();
+    using Whole = std::int64_t;
+    const std::vector<std::function<void()>> forgeries{
+        [&] { forge<double>(current, "series.interval", 0.0); },
+        [&] { forge<double>(current, "series.interval", inf); },
+        [&] { forge<double>(current, "frames.interval", nan); },
+        [&] { forge<double>(current, "frames.interval", -1.0); },
+        [&] { forge<double>(current, "wall_seconds", nan); },
+        [&] { forge<double>(current, "series.last_time", inf); },
+        [&] { forge<double>(current, "series.phase", std::nullopt); },
+        [&] { forge<double>(current, "series.last_rate", std::nullopt); },
+        [&] { forge<double>(current, "frames.time", nan); },
+        [&] { forge<double>(current, "frames.time", std::nullopt); },
+        [&] { forge<Whole>(current, "frames.step", std::nullopt); },
+        [&] { forge<Whole>(current, "frames.step", -4); },
+    };
+    for (std::size_t k = 0; k < forgeries.size(); ++k) {
+        fs::remove_all(path("forged"));
+        fs::copy(path("sound"), path("forged"), fs::copy_options::recursive);
+        forgeries[k]();
+        RunRequest further = request;
+        further.max_time = Time{0.0};
+        EXPECT_EQ(run_small(further).ending, RunOutcome::Ending::stopped) << k;
+        EXPECT_TRUE(fs::exists(path("forged") / "checkpoint/damaged")) << k;
+    }
+}
+
 /// Sound as a file, with a right checksum: it counts as damaged none the less.
 TEST_F(StopAndResume, a_checkpoint_with_impossible_content_is_passed_over) {
     run_small(small_request(path("straight"), steps));

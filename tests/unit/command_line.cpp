@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "app/selftest.hpp"
@@ -13,6 +15,7 @@
 #include "case/reference.hpp"
 #include "io/json.hpp"
 #include "io/file.hpp"
+#include "simulation/stop.hpp"
 #include "source_dir.hpp"
 #include "temporary_directory.hpp"
 
@@ -286,6 +289,50 @@ TEST_F(RunVerb, bad_options_end_with_2_before_anything_is_written) {
         words.insert(words.end(), {option, value});
         EXPECT_EQ(run(words).code, 2) << option;
     }
+    EXPECT_FALSE(fs::exists(path("a")));
+}
+
+/// A random layout that has no room: told only when it has been tried.
+TEST_F(RunVerb, a_refusal_leaves_every_directory_as_it_was) {
+    const auto refused = [&](const std::string& out) {
+        return std::vector<std::string>{
+            "run",        source("cases/05-channel/case.toml"),
+            "-o",         out,
+            "-j",         "1",
+            "--set",      "cells.layout=explicit",
+            "--set",      "cells.positions=[[\"9 um\", \"9 um\"], [\"10 um\", \"9 um\"]]",
+            "--set",      "cells.count=2",
+            "--progress", "none"};
+    };
+    EXPECT_EQ(run(refused(path("none/here/run").string())).code, 2);
+    EXPECT_FALSE(fs::exists(path("none")));
+    fs::create_directory(path("empty"));
+    EXPECT_EQ(run(refused(path("empty/run/").string())).code, 2);
+    EXPECT_TRUE(fs::is_empty(path("empty")));
+
+    ASSERT_EQ(run(small_run("results")).code, 0);
+    std::vector<std::string> fresh = refused(path("results").string());
+    fresh.push_back("--fresh");
+    EXPECT_EQ(run(fresh).code, 2);
+    EXPECT_TRUE(fs::exists(path("results/summary.json")));
+    EXPECT_FALSE(fs::exists(path("results.1")));
+}
+
+TEST_F(RunVerb, a_stop_while_cells_are_placed_ends_it_at_once) {
+    std::thread impatient([] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        tt::request_stop();
+    });
+    const auto begin = std::chrono::steady_clock::now();
+    const Outcome outcome = run(
+        {"run", source("cases/05-channel/case.toml"), "-o", path("a").string(), "-j", "1", "--set",
+         "cells.layout=random", "--set", "cells.hematocrit=60 %", "--set", "domain.length=2 mm",
+         "--set", "domain.width=0.2 mm", "--set", "numerics.dx=1 um", "--progress", "none"});
+    impatient.join();
+    tt::clear_stop_request();
+    EXPECT_EQ(outcome.code, 75) << outcome.err;
+    EXPECT_NE(outcome.err.find("while cells were placed"), std::string::npos) << outcome.err;
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
     EXPECT_FALSE(fs::exists(path("a")));
 }
 

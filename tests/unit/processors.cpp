@@ -2,10 +2,13 @@
 
 #include <sched.h>
 
+#include <cmath>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
+#include "base/control_groups.hpp"
+#include "base/memory.hpp"
 #include "temporary_directory.hpp"
 
 namespace tt {
@@ -13,16 +16,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Processors : public TemporaryDirectory {
+class ControlGroups : public TemporaryDirectory {
 protected:
     void put(const std::string& file, const std::string& text) {
         fs::create_directories(path(file).parent_path());
         std::ofstream(path(file)) << text << '\n';
     }
-    int quota(const std::string& membership) { return processors_by_quota(path(""), membership); }
+    int quota(const std::string& membership) {
+        return processors_by_quota(control_groups(path(""), membership, "cpu"));
+    }
+    double memory(const std::string& membership) {
+        return memory_by_limit(control_groups(path(""), membership, "memory"));
+    }
 };
 
-TEST_F(Processors, the_smallest_quota_on_the_way_counts_rounded_up) {
+TEST_F(ControlGroups, the_smallest_quota_on_the_way_counts_rounded_up) {
     put("jobs/cpu.max", "350000 100000");
     put("jobs/mine/cpu.max", "max 100000");
     EXPECT_EQ(quota("0::/jobs/mine\n"), 4);
@@ -32,7 +40,7 @@ TEST_F(Processors, the_smallest_quota_on_the_way_counts_rounded_up) {
     EXPECT_EQ(quota("0::/jobs/mine\n"), 1);
 }
 
-TEST_F(Processors, version_1_keeps_quota_and_period_apart) {
+TEST_F(ControlGroups, version_1_keeps_quota_and_period_apart) {
     put("cpu,cpuacct/slurm/cpu.cfs_quota_us", "250000");
     put("cpu,cpuacct/slurm/cpu.cfs_period_us", "100000");
     put("cpu,cpuacct/cpu.cfs_quota_us", "-1");
@@ -40,14 +48,27 @@ TEST_F(Processors, version_1_keeps_quota_and_period_apart) {
     EXPECT_EQ(quota("9:memory:/slurm\n4:cpu,cpuacct:/slurm\n0::/\n"), 3);
 }
 
-TEST_F(Processors, without_a_quota_there_is_no_limit) {
+TEST_F(ControlGroups, without_a_quota_there_is_no_limit) {
     EXPECT_EQ(quota(""), 0);
     EXPECT_EQ(quota("0::/\n"), 0);
     put("jobs/cpu.max", "max 100000");
     EXPECT_EQ(quota("0::/jobs\nnonsense\n"), 0);
 }
 
-TEST_F(Processors, those_of_the_affinity_are_usable) {
+TEST_F(ControlGroups, the_smallest_limit_of_memory_on_the_way_counts) {
+    EXPECT_TRUE(std::isinf(memory("0::/jobs/mine\n")));
+    put("jobs/memory.max", "3000000000");
+    put("jobs/mine/memory.max", "max");
+    EXPECT_EQ(memory("0::/jobs/mine\n"), 3e9);
+    put("jobs/mine/memory.max", "2000000000");
+    EXPECT_EQ(memory("0::/jobs/mine\n"), 2e9);
+    put("memory/memory.limit_in_bytes", "9223372036854771712");
+    put("memory/slurm/memory.limit_in_bytes", "1000000000");
+    EXPECT_EQ(memory("9:memory:/slurm\n4:cpu,cpuacct:/slurm\n0::/\n"), 1e9);
+    EXPECT_LE(usable_memory(), memory_by_limit(control_groups("memory")));
+}
+
+TEST(Processors, those_of_the_affinity_are_usable) {
     cpu_set_t before;
     ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
     EXPECT_LE(usable_processors(), CPU_COUNT(&before));
