@@ -27,7 +27,8 @@ namespace fs = std::filesystem;
 /// The most bytes that are read into memory.
 std::uint64_t size_limit(Author author) {
     if (author == Author::user) return std::uint64_t{16} << 20;
-    return static_cast<std::uint64_t>(usable_memory());
+    static const auto usable = static_cast<std::uint64_t>(usable_memory());
+    return usable;
 }
 
 /// A file being read. It is opened without waiting: a pipe without a writer, or a file of the

@@ -99,7 +99,7 @@ def is_sound(folder):
 def follow(message, settings):
     """What the first fault advises: key = value to write, or a key to leave out."""
     table = re.search(r"\[(\w+(?:\.\w+)?)\]", message)
-    known = {key.rsplit(".", 1)[1]: key for key, _ in ends} | {k.rsplit(".", 1)[1]: k for k in settings}
+    known = {key.rsplit(".", 1)[-1]: key for key, _ in ends} | {k.rsplit(".", 1)[-1]: k for k in settings}
     full = lambda word: word if "." in word else known.get(word, f"{table[1]}.{word}" if table else word)
     if write := re.search(r'(?:write|needs) (?:at most )?([\w.]+) = ("[^"]*"|\[.*\]|[\w.+-]+)', message):
         return {full(write[1]): write[2].strip('"')}

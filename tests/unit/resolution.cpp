@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "case/appraise.hpp"
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
@@ -37,6 +38,23 @@ std::vector<std::string> crumpling(const std::string& dx) {
             "domain.length=32 um",   "flow.pseudo_shear_rate=1000 /s",
             "membrane.law=skalak",   "membrane.area_dilation_ratio=10",
             "numerics.dx=" + dx};
+}
+
+TEST(Resolution, too_many_sites_are_made_fewer_without_losing_the_cells) {
+    const auto advice = [](const std::vector<std::string>& changes, double most) -> std::string {
+        const Case c = read_case(TT_SOURCE_DIR "/cases/05-channel/case.toml", changes);
+        try {
+            expect_sites(c, choose(c), most, "are possible");
+        } catch (const CaseError& error) {
+            const std::string text = error.what();
+            return text.substr(text.rfind("write ") + 6);
+        }
+        return "";
+    };
+    EXPECT_EQ(advice({}, 40'000), "");
+    EXPECT_EQ(advice({}, 20'000), "dx = \"0.4 um\"");
+    EXPECT_EQ(advice({}, 1000), "length = \"2 um\"") << "16 sites to a cell's diameter are too few";
+    EXPECT_EQ(advice({"domain.width=2 cm", "domain.length=20 um"}, 1e5), "width = \"200 um\"");
 }
 
 TEST(Resolution, what_the_grid_must_resolve_is_told_in_sites) {
