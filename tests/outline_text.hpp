@@ -28,9 +28,9 @@ inline std::vector<Vec2> repeated(std::vector<Vec2> points) {
 }
 
 /// All faults, one a line, or "none".
-inline std::string faults_of(const std::string& text, const CellsCase& cells = {}) {
+inline std::string faults_of(const std::string& text, const OutlineShape& shape = {}) {
     try {
-        read_outline(text, "o.csv", cells);
+        read_outline(text, "o.csv", shape);
     } catch (const CaseError& error) {
         return error.what();
     }

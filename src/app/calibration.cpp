@@ -169,7 +169,7 @@ std::string describe(const Calibration& c) {
     text += described_failures(c);
     text +=
         fmt::format("\n[membrane.hardening]\nform = {}\nD    = {}\nbeta = {}\n",
-                    toml_string(hardening_of(c).form), to_text(c.best().D), to_text(c.best().beta));
+                    toml_string(word_of(hardening_of(c).form)), to_text(c.best().D), to_text(c.best().beta));
     return text;
 }
 

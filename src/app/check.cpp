@@ -71,14 +71,21 @@ std::string start_text(const Case& c, const Choice& choice, const Appraisal& a) 
             ? fmt::format("nearest membranes {:.2g} sites ({}) apart", a.smallest_gap,
                           rounded_text(Length{a.smallest_gap * choice.dx.si}, 2))
             : fmt::format("no two membranes nearer than {:.2g} sites", gap_reach);
-    if (c.contact.model == "morse" && a.smallest_gap < gap_reach &&
-        a.smallest_gap * choice.dx.si < c.contact.zero_force_distance.si)
-        text +=
-            fmt::format(", below zero_force_distance, {}", to_text(c.contact.zero_force_distance));
-    if (c.domain.sides == "walls") text += fmt::format("; {:.2g} sites to a wall", a.wall_distance);
+    if (a.contact_distance > 0.0 && a.smallest_gap < gap_reach &&
+        a.smallest_gap < a.contact_distance)
+        text += fmt::format(", below zero_force_distance, {}",
+                            rounded_text(Length{a.contact_distance * choice.dx.si}));
+    if (c.domain.sides == Sides::walls)
+        text += fmt::format("; {:.2g} sites to a wall", a.wall_distance);
     if (a.start_stretch > 1e-6)
         text += fmt::format("; segments stretched by up to {:.2g} %", 100.0 * a.start_stretch);
     return text;
+}
+
+std::string equilibrium_text(const Equilibrium& equilibrium) {
+    if (std::holds_alternative<LinearEquilibrium>(equilibrium)) return "linear: Stokes flow";
+    if (std::holds_alternative<FullEquilibrium>(equilibrium)) return "full: with advection, Eq. 2";
+    return "incompressible: with advection";
 }
 
 void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
@@ -96,7 +103,7 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
         print_line("cells", "none");
     if (a.cells > 0) print_line("resolution", resolution_text(a));
     if (a.cells > 0) print_line("start", start_text(c, choice, a));
-    if (a.cells > 0 && c.cells.outline) print_line("outline", description(*c.cells.outline));
+    if (a.cells > 0 && c.cells.outline()) print_line("outline", description(*c.cells.outline()));
     const StepLimit& limit = choice.limits.front();
     const bool chosen = !c.numerics.dt && !c.numerics.density_scale;
     print_line("time step",
@@ -107,17 +114,14 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
                    fmt::format("D, strain, lambda_C and mu_rel by less than {:.2g} % (measured in "
                                "studies/time-step); numerics.step_tolerance is {:.3g} %",
                                100.0 * change, 100.0 * c.numerics.step_tolerance));
-    print_line(
-        "relaxation time",
-        a.tau_cytoplasm > a.tau_plasma
-            ? fmt::format("{:.4g} in plasma, {:.4g} where it is most viscous ({})", a.tau_plasma,
-                          a.tau_cytoplasm, c.numerics.collision == "trt" ? "TRT" : "BGK")
-            : fmt::format("{:.4g}", a.tau_plasma));
-    print_line("equilibrium", choice.equilibrium == "linear" ? "linear: Stokes flow"
-                              : choice.equilibrium == "incompressible"
-                                  ? "incompressible: with advection"
-                                  : "full: with advection, Eq. 2");
-    if (a.cells > 0) print_line("kernel", choice.delta);
+    print_line("relaxation time",
+               a.tau_cytoplasm > a.tau_plasma
+                   ? fmt::format("{:.4g} in plasma, {:.4g} where it is most viscous ({})",
+                                 a.tau_plasma, a.tau_cytoplasm,
+                                 std::holds_alternative<Trt>(c.numerics.collision) ? "TRT" : "BGK")
+                   : fmt::format("{:.4g}", a.tau_plasma));
+    print_line("equilibrium", equilibrium_text(choice.equilibrium));
+    if (a.cells > 0) print_line("kernel", std::string(word_of(choice.delta)));
     print_line("density scale",
                choice.density_scale < 1.0 + 1e-9
                    ? std::string("1: the physical Reynolds number")
@@ -127,11 +131,11 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
 }
 
 void print_flow(const Case& c, const Choice& choice, const Appraisal& a) {
-    if (c.flow.drive == "none") {
+    if (std::holds_alternative<NoDrive>(c.flow.drive)) {
         print_line("flow", "none: the fluid is at rest");
         return;
     }
-    const bool shear = c.flow.drive == "shear";
+    const bool shear = c.flow.shear() != nullptr;
     std::string text =
         fmt::format("{} {}, largest speed {}", shear ? "shear rate" : "pseudo-shear rate",
                     rounded_text(choice.shear_rate), rounded_text(choice.largest_speed));
@@ -220,7 +224,7 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
                       {"smallest_gap_is_at_least", !(a.smallest_gap < gap_reach)},
                       {"wall_distance_sites", a.wall_distance},
                       {"largest_stretch", a.start_stretch}};
-    if (c.cells.outline) j["outline"] = to_json(*c.cells.outline);
+    if (c.cells.outline()) j["outline"] = to_json(*c.cells.outline());
     j["relaxation_time_plasma"] = a.tau_plasma;
     j["relaxation_time_largest"] = a.tau_cytoplasm;
     j["density_scale"] = choice.density_scale;

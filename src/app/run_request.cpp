@@ -18,9 +18,9 @@ RunRequest request_for(const Case& c, const Choice& choice, const Model& model) 
     request.resolved_toml = resolved_toml(c, choice, model);
     request.inputs = inputs_of(c);
     request.settings = settings_of(c, choice);
-    if (c.cells.outline && !c.numerics.fluid_only) {
-        request.notes.push_back("outline " + description(*c.cells.outline));
-        for (const std::string& remark : c.cells.outline->remarks) request.notes.push_back(remark);
+    if (const CellOutline* outline = c.cells.outline(); outline && !c.numerics.fluid_only) {
+        request.notes.push_back("outline " + description(*outline));
+        request.notes.insert(request.notes.end(), outline->remarks.begin(), outline->remarks.end());
     }
     request.end = c.time.end;
     request.average_from = c.time.average_from.value_or(Time{0.5 * c.time.end.si});

@@ -28,8 +28,8 @@ void resolve(const Case& c, const Choice& choice, const Suspension& cells, Appra
     const double modulus = c.membrane.shear_modulus.si;
     if (modulus > 0.0)
         a.bending_length = std::sqrt(c.membrane.bending_modulus.si / modulus) / choice.dx.si;
-    if (c.contact.model == "morse")
-        a.contact_distance = c.contact.zero_force_distance.si / choice.dx.si;
+    if (const MorseContact* morse = c.contact.morse())
+        a.contact_distance = morse->zero_force_distance.si / choice.dx.si;
     a.start_radius = HUGE_VAL;
     for (int cell = 0; cell < cells.cell_count(); ++cell) {
         const SharpestBend bend = sharpest_bend(outline(cells, cell));
@@ -85,8 +85,7 @@ void characterise(const Case& c, const Choice& choice, const Model& model, Appra
     a.channel_reynolds = rho * k * width * width / mu;
     a.mach = choice.largest_speed.si * choice.dt.si / choice.dx.si * std::sqrt(3.0);
     a.strained_time = k * c.time.end.si;
-    if (c.flow.drive == "pressure" || c.flow.drive == "body-force")
-        a.transits = k * width * c.time.end.si / c.domain.length.si;
+    if (c.flow.channel()) a.transits = k * width * c.time.end.si / c.domain.length.si;
     if (a.cells == 0) return;
     a.shear_number = mu * k * radius / c.membrane.shear_modulus.si;
     a.cell_reynolds = rho * k * radius * radius / mu;
@@ -184,7 +183,7 @@ void advise_on_step(const Case& c, const Choice& choice, const Appraisal& a, Adv
             "Mach number {:.2g}: errors of compressibility of about {:.1f} %; halving dt quarters "
             "them.",
             a.mach, 100.0 * a.mach * a.mach);
-    if (c.numerics.collision == "bgk" && a.tau_cytoplasm > 0.8)
+    if (std::holds_alternative<Bgk>(c.numerics.collision) && a.tau_cytoplasm > 0.8)
         adviser.consider("BGK at relaxation time {:.3g} is off by {}; write collision = \"trt\".",
                          a.tau_cytoplasm, a.tau_cytoplasm > 2.0 ? "5 % and more" : "2 % and more");
     if (choice.relaxation_time < 0.55)
@@ -205,7 +204,9 @@ void advise_on_change(const Case& c, const Choice& choice, const Appraisal& a, A
             "Write dt = \"{}\", or leave dt and density_scale out.",
             100.0 * change, limit.name, limit.reason, rounded_text(limit.step, 2));
     }
-    if (a.cells == 0 || a.transits == 0.0 || choice.equilibrium != "linear") return;
+    if (a.cells == 0 || a.transits == 0.0 ||
+        !std::holds_alternative<LinearEquilibrium>(choice.equilibrium))
+        return;
     adviser.consider(
         "With equilibrium = \"linear\" and a raised density a cell that the flow carries along "
         "feels its own speed, which slows its way to the middle. Write equilibrium = "
@@ -233,7 +234,8 @@ void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& 
     // A membrane under the compression E_s, the most that it takes, buckles at the wavelength
     // 2π √(E_b/E_s): four segments to it (docs/decisions/0011-checks.md).
     constexpr double shortest = 2.0 / std::numbers::pi;
-    const bool moves = choice.shear_rate.si > 0.0 && c.membrane.law != "surface-tension";
+    const bool moves =
+        choice.shear_rate.si > 0.0 && !std::holds_alternative<SurfaceTension>(c.membrane.law);
     if (moves && a.bending_length > 0.0 && a.bending_length < shortest)
         adviser.consider(
             "The bending length sqrt(E_b/E_s) is {:.2g} sites: a membrane that the flow compresses "
@@ -245,7 +247,8 @@ void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& 
             "Write "
             "node_spacing = 1.",
             a.node_distance);
-    if (c.numerics.interface_viscosity == "sharp" && a.viscosity_ratio > 1.5)
+    if (std::holds_alternative<SharpInterface>(c.numerics.interface_viscosity) &&
+        a.viscosity_ratio > 1.5)
         adviser.consider(
             "With a sharp jump of viscosity the error does not fall as dx^2 (studies/interface). "
             "Write interface_viscosity = \"area-fraction\".");
@@ -267,18 +270,19 @@ void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& 
         adviser.consider(
             "zero_force_distance is {:.2g} sites, so gaps between cells are not resolved; write dx "
             "= \"{}\".",
-            a.contact_distance, spacing_text(c, 0.5 * c.contact.zero_force_distance.si));
+            a.contact_distance, spacing_text(c, 0.5 * a.contact_distance * choice.dx.si));
 }
 
 void advise_on_outline(const Case& c, const State& initial, Adviser& adviser) {
-    if (!c.cells.outline || c.numerics.fluid_only) return;
-    for (const std::string& remark : c.cells.outline->remarks) adviser.consider("{}", remark);
+    const CellOutline* drawn = c.cells.outline();
+    if (!drawn || c.numerics.fluid_only) return;
+    for (const std::string& remark : drawn->remarks) adviser.consider("{}", remark);
     constexpr double site = 1.0;
     if (self_approach(outline(initial.cells, 0), site))
         adviser.consider(
             "Two parts of the outline {} are less than a site apart: what lies between them is not "
             "resolved. Write a smaller dx.",
-            c.cells.outline->file);
+            drawn->file);
 }
 
 void advise_on_physics(const Case& c, const Appraisal& a, Adviser& adviser) {
@@ -286,11 +290,12 @@ void advise_on_physics(const Case& c, const Appraisal& a, Adviser& adviser) {
     if (c.membrane.bending_modulus.si == 0.0 && a.shear_number >= 0.5)
         adviser.consider(
             "Without bending stiffness the membrane wrinkles at G >= 0.5; write bending_modulus.");
-    if (c.membrane.hardening.compression == "as-printed" && !c.membrane.hardening.apply_to.empty())
+    if (c.membrane.hardening.compression == Hardening::Compression::as_printed &&
+        !c.membrane.hardening.apply_to.empty())
         adviser.consider(
             "Eq. 12 as printed softens in compression, and segments fold within about 1 ms; write "
             "compression = \"symmetric\".");
-    if (c.flow.drive == "shear" && a.strained_time < 15.0)
+    if (c.flow.shear() && a.strained_time < 15.0)
         adviser.consider(
             "k t = {:.3g} at the end; a cell is steady after k t = 16, 27, 47 at G = 0.2, 0.5, 1 "
             "and "

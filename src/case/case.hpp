@@ -1,43 +1,103 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
+#include "base/choice.hpp"
 #include "base/quantity.hpp"
 #include "case/cell_outline.hpp"
+#include "coupling/delta/delta.hpp"
+#include "coupling/viscosity.hpp"
+#include "fluid/equilibrium.hpp"
+#include "interaction/contact.hpp"
+#include "membrane/bending/bending.hpp"
+#include "membrane/hardening.hpp"
+#include "membrane/in_plane/in_plane.hpp"
 
 namespace tt {
 
 /// What the user asked for, in SI units, one struct per table of the case file. An empty optional
 /// is "auto" or absent; `discretise` decides. Field lists (key, member, range, meaning) are in
-/// case/schema.hpp.
+/// case/schema.hpp. Choices are types (base/choice.hpp); where they need no scale, those of the
+/// model itself.
+
+/// What bounds the box across the flow.
+enum class Sides : std::uint8_t { walls, periodic };
+template <>
+inline constexpr auto words_of<Sides> = std::to_array<std::string_view>({"walls", "periodic"});
 
 struct DomainCase {
-    Length length;                ///< along the flow, periodic
-    Length width;                 ///< between the walls
-    std::string sides = "walls";  ///< walls | periodic
+    Length length;  ///< along the flow, periodic
+    Length width;   ///< between the walls
+    Sides sides = Sides::walls;
 
     friend bool operator==(const DomainCase&, const DomainCase&) = default;
 };
 
-struct FlowCase {
-    std::string drive = "none";             ///< none | pressure | body-force | shear
-    std::optional<Rate> pseudo_shear_rate;  ///< mean velocity / width (pressure, body-force)
-    // Instead of pseudo_shear_rate, of plasma alone; negative: to the left.
+/// What stays constant in a channel.
+enum class Hold : std::uint8_t { pressure_drop, mean_velocity };
+template <>
+inline constexpr auto words_of<Hold> = std::to_array<std::string_view>({"pressure-drop",
+                                                                        "mean-velocity"});
+
+/// The fluid at time zero: the flow without cells, or at rest.
+enum class FluidStart : std::uint8_t { developed, rest };
+template <>
+inline constexpr auto words_of<FluidStart> = std::to_array<std::string_view>({"developed", "rest"});
+
+struct NoDrive {
+    static constexpr std::string_view name = "none";
+    friend bool operator==(const NoDrive&, const NoDrive&) = default;
+};
+
+/// Flow between walls at rest, asked for by one of the first six, all of plasma alone; negative: to
+/// the left.
+struct ChannelFlow {
+    std::optional<Rate> pseudo_shear_rate;  ///< mean velocity / width
     std::optional<Velocity> mean_velocity;
     std::optional<Velocity> largest_velocity;
     std::optional<KinematicViscosity> flow_rate;  ///< per depth: mean velocity · width
     std::optional<Pressure> wall_stress;
     std::optional<PressureGradient> pressure_gradient;
-    std::string hold = "pressure-drop";  ///< pressure-drop | mean-velocity
-    std::string start = "developed";     ///< developed: the flow without cells | rest
-    std::optional<Rate> shear_rate;  ///< drive = shear: walls move with ± shear_rate · width / 2
-    std::optional<double> shear_number;  ///< G = μ k a / E_s (Eq. 19), instead of shear_rate
+    Hold hold = Hold::pressure_drop;
 
+    friend bool operator==(const ChannelFlow&, const ChannelFlow&) = default;
+};
+struct PressureDrive : ChannelFlow {
+    static constexpr std::string_view name = "pressure";
+    friend bool operator==(const PressureDrive&, const PressureDrive&) = default;
+};
+struct BodyForceDrive : ChannelFlow {
+    static constexpr std::string_view name = "body-force";
+    friend bool operator==(const BodyForceDrive&, const BodyForceDrive&) = default;
+};
+
+/// Walls that move.
+struct ShearDrive {
+    static constexpr std::string_view name = "shear";
+    std::optional<Rate> shear_rate;      ///< k: the walls move with ± k · width / 2
+    std::optional<double> shear_number;  ///< G = μ k a / E_s (Eq. 19), instead of shear_rate
+    friend bool operator==(const ShearDrive&, const ShearDrive&) = default;
+};
+
+struct FlowCase {
+    std::variant<NoDrive, PressureDrive, BodyForceDrive, ShearDrive> drive;
+    FluidStart start = FluidStart::developed;
+
+    /// Of a channel, or of moving walls; else nothing.
+    const ChannelFlow* channel() const;
+    const ShearDrive* shear() const { return std::get_if<ShearDrive>(&drive); }
     friend bool operator==(const FlowCase&, const FlowCase&) = default;
 };
+inline const ChannelFlow* FlowCase::channel() const {
+    if (const auto* pressure = std::get_if<PressureDrive>(&drive)) return pressure;
+    return std::get_if<BodyForceDrive>(&drive);
+}
 
 struct PlasmaCase {
     Viscosity viscosity{1.2e-3};
@@ -57,35 +117,84 @@ struct LayerCase {
 /// Of a cell [m].
 inline constexpr double smallest_radius = 1e-7;
 
+struct CircleShape {
+    static constexpr std::string_view name = "circle";
+    friend bool operator==(const CircleShape&, const CircleShape&) = default;
+};
+/// Of the area of the circle.
+struct EllipseShape {
+    static constexpr std::string_view name = "ellipse";
+    double aspect_ratio = 0.0;  ///< major / minor semi-axis
+    friend bool operator==(const EllipseShape&, const EllipseShape&) = default;
+};
+/// `radius` is its R₀.
+struct BiconcaveShape {
+    static constexpr std::string_view name = "biconcave";
+    friend bool operator==(const BiconcaveShape&, const BiconcaveShape&) = default;
+};
+/// The points of an outline.
+struct OutlineShape {
+    static constexpr std::string_view name = "file";
+    std::string file;                    ///< x,y in µm or pixels
+    std::optional<Length> pixel;         ///< side of one, if the file is in pixels
+    std::optional<bool> y_down;          ///< whether y counts downwards in the file
+    std::optional<Length> smoothing;     ///< standard deviation along the outline
+    std::optional<CellOutline> outline;  ///< what `file` holds; no key
+    friend bool operator==(const OutlineShape&, const OutlineShape&) = default;
+};
+
+/// One cell in the middle.
+struct SingleCell {
+    static constexpr std::string_view name = "single";
+    friend bool operator==(const SingleCell&, const SingleCell&) = default;
+};
+/// The paper's two rows.
+struct PaperRows {
+    static constexpr std::string_view name = "paper";
+    Length perturbation{0.5e-6};  ///< largest random shift of each cell in x and y
+    friend bool operator==(const PaperRows&, const PaperRows&) = default;
+};
+struct AtRandom {
+    static constexpr std::string_view name = "random";
+    friend bool operator==(const AtRandom&, const AtRandom&) = default;
+};
+struct AtPositions {
+    static constexpr std::string_view name = "explicit";
+    std::vector<std::vector<Length>> positions;  ///< [x, y] of each centre
+    friend bool operator==(const AtPositions&, const AtPositions&) = default;
+};
+
 struct CellsCase {
     std::optional<std::int64_t> count;
     std::optional<double> hematocrit;  ///< instead of count: Σ area / box area
-    std::string shape = "circle";      ///< circle | ellipse | biconcave | file
-    Length radius{4e-6};               ///< circle; biconcave: R₀
-    std::optional<double>
-        aspect_ratio;  ///< ellipse: major / minor semi-axis at the area of the circle
-    std::optional<std::string> file;             ///< points of the outline, x,y in µm or pixels
-    std::optional<Length> pixel;                 ///< side of one, if the file is in pixels
-    std::optional<bool> y_down;                  ///< whether y counts downwards in the file
-    std::optional<Length> smoothing;             ///< standard deviation along the outline
-    std::optional<CellOutline> outline;          ///< what `file` holds; no key
-    std::string layout = "single";               ///< single | paper | random | explicit
-    std::vector<std::vector<Length>> positions;  ///< layout = explicit: [x, y]
-    Angle angle;                                 ///< initial rotation, counter-clockwise
+    std::variant<CircleShape, EllipseShape, BiconcaveShape, OutlineShape> shape;
+    Length radius{4e-6};  ///< circle; biconcave: R₀
+    std::variant<SingleCell, PaperRows, AtRandom, AtPositions> layout;
+    Angle angle;  ///< initial rotation, counter-clockwise
     std::optional<double>
         initial_stretch;  ///< start as an ellipse of this axis ratio, stress-free shape unchanged
-    Length perturbation{0.5e-6};  ///< paper: largest random shift of each cell in x and y
     std::int64_t seed = 1;
     Viscosity cytoplasm_viscosity{6e-3};
 
+    /// What the file of an outline holds; nothing for other shapes.
+    const CellOutline* outline() const {
+        const auto* shape_file = std::get_if<OutlineShape>(&shape);
+        return shape_file && shape_file->outline ? &*shape_file->outline : nullptr;
+    }
     friend bool operator==(const CellsCase&, const CellsCase&) = default;
 };
 
+/// What strain hardening scales (Table 1).
+enum class Modality : std::uint8_t { shear, bending, area, contact };
+template <>
+inline constexpr auto words_of<Modality> = std::to_array<std::string_view>({"shear", "bending",
+                                                                            "area", "contact"});
+
 struct HardeningCase {
-    std::vector<std::string> apply_to{"shear", "bending", "area", "contact"};
-    std::string form =
-        "exponential";  ///< exponential | power-exponential (the two repairs of Eq. 12)
-    std::string compression = "symmetric";  ///< symmetric | one | as-printed, for stretch < 1
+    std::vector<Modality> apply_to{Modality::shear, Modality::bending, Modality::area,
+                                   Modality::contact};
+    Hardening::Form form = Hardening::Form::exponential;
+    Hardening::Compression compression = Hardening::Compression::symmetric;
     double D = 0.55;
     double beta = 16.0;
 
@@ -93,11 +202,10 @@ struct HardeningCase {
 };
 
 struct MembraneCase {
-    std::string law = "neo-hookean";   ///< neo-hookean | hookean | skalak | surface-tension
-    Tension shear_modulus{6e-6};       ///< E_s
-    double area_dilation_ratio = 1.0;  ///< Skalak's C
+    InPlane law;                  ///< its modulus is the next key
+    Tension shear_modulus{6e-6};  ///< E_s
     BendingModulus bending_modulus{1.8e-19};
-    std::string bending = "current";         ///< curvature per current | reference length
+    Bending bending;                         ///< its modulus is the key above
     std::optional<Pressure> area_stiffness;  ///< k_p
     bool hold_area = true;
     HardeningCase hardening;
@@ -105,18 +213,25 @@ struct MembraneCase {
     friend bool operator==(const MembraneCase&, const MembraneCase&) = default;
 };
 
-struct ContactCase {
-    std::string model = "morse";      ///< none | morse
-    std::string nearest = "segment";  ///< node | segment
+/// The Morse potential (Eqs. 16, 17) in SI.
+struct MorseContact {
+    static constexpr std::string_view name = "morse";
     Length zero_force_distance{0.49e-6};
     InverseLength decay{3.84e6};
     SurfaceEnergy energy{1.3e-7};
     std::optional<Length>
         range;  ///< query range R; auto: where the force has fallen to 1 % of its peak attraction
+    friend bool operator==(const MorseContact&, const MorseContact&) = default;
+};
+
+struct ContactCase {
+    std::variant<NoContact, MorseContact> model = MorseContact{};
+    Nearest nearest = Nearest::segment;
     bool short_range_repulsion = false;     ///< off by default; counted when on
     std::optional<Length> repulsion_range;  ///< auto: one site
     Pressure repulsion_strength{1e3};
 
+    const MorseContact* morse() const { return std::get_if<MorseContact>(&model); }
     friend bool operator==(const ContactCase&, const ContactCase&) = default;
 };
 
@@ -129,17 +244,14 @@ struct NumericsCase {
     double step_tolerance =
         0.01;  ///< by how much the step that `auto` takes may change D, ε, λ_C and μ_rel
     std::optional<double> node_spacing;  ///< in sites
-    std::string collision = "trt";       ///< trt | bgk
-    double magic = 3.0 / 16.0;           ///< Λ of TRT
-    std::string equilibrium = "auto";    ///< auto | linear (Stokes) | incompressible | full (Eq. 2)
-    std::string precision = "double";    ///< double | single, of the populations
-    std::string delta = "auto";          ///< auto | cosine4 | hat2 | roma3 | peskin4
-    std::string interior = "scan-line";  ///< scan-line | flood-fill
-    std::string interface_viscosity = "area-fraction";  ///< sharp | smoothed | area-fraction
-    std::string viscosity_mean =
-        "harmonic";  ///< harmonic | arithmetic, of a site that holds both fluids
+    Collision collision;
+    std::optional<Equilibrium> equilibrium;
+    std::string precision = "double";  ///< double | single, of the populations
+    std::optional<Delta> delta;
+    InteriorMethod interior;
+    InterfaceViscosity interface_viscosity = AreaFraction{};
+    ViscosityMean viscosity_mean = HarmonicMean{};  ///< of a site that holds both fluids
     std::optional<bool> jump_correction;  ///< of slip and node velocity at membranes, second order
-    double smoothing_width = 2.0;         ///< half width in sites
     bool fluid_only = false;              ///< cells absent: plain channel
 
     friend bool operator==(const NumericsCase&, const NumericsCase&) = default;

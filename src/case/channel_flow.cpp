@@ -3,7 +3,8 @@
 namespace tt {
 
 Rate pseudo_shear_rate(const Case& c) {
-    const FlowCase& flow = c.flow;
+    if (!c.flow.channel()) return {};
+    const ChannelFlow& flow = *c.flow.channel();
     const double width = c.domain.width.si, viscosity = c.plasma.viscosity.si;
     if (flow.pseudo_shear_rate) return *flow.pseudo_shear_rate;
     if (flow.mean_velocity) return Rate{flow.mean_velocity->si / width};

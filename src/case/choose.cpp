@@ -53,13 +53,13 @@ Undisturbed choose_flow(const Case& c, Choice& choice) {
     const double width = c.domain.width.si, viscosity = c.plasma.viscosity.si;
     const FlowCase& flow = c.flow;
     double at_walls = 0.0, fastest = 0.0;  // of the shear rate and the width
-    if (flow.drive == "shear") {
-        choice.shear_rate =
-            Rate{flow.shear_rate ? flow.shear_rate->si
-                                 : flow.shear_number.value_or(0.0) * c.membrane.shear_modulus.si /
-                                       (viscosity * equivalent_radius(c).si)};
+    if (const ShearDrive* shear = flow.shear()) {
+        choice.shear_rate = Rate{shear->shear_rate ? shear->shear_rate->si
+                                                   : shear->shear_number.value_or(0.0) *
+                                                         c.membrane.shear_modulus.si /
+                                                         (viscosity * equivalent_radius(c).si)};
         at_walls = 1.0, fastest = 0.5;
-    } else if (flow.drive != "none") {
+    } else if (flow.channel()) {
         // Poiseuille: U = g H²/(12 μ), largest speed 3/2 U, shear rate at the walls 6 U/H.
         choice.shear_rate = pseudo_shear_rate(c);
         choice.pressure_gradient =
@@ -111,9 +111,10 @@ void choose_step(const Case& c, const Undisturbed& flow, Choice& choice) {
 
 /// Without advection and at a raised density a cell that is carried along feels its own speed
 /// (docs/theory/fluid.md); at rest in a shear flow it is better off without inertia.
-std::string choose_equilibrium(const Case& c) {
-    if (c.numerics.equilibrium != "auto") return c.numerics.equilibrium;
-    return carries_cells(c) ? "incompressible" : "linear";
+Equilibrium choose_equilibrium(const Case& c) {
+    if (c.numerics.equilibrium) return *c.numerics.equilibrium;
+    if (carries_cells(c)) return IncompressibleEquilibrium{};
+    return LinearEquilibrium{};
 }
 
 /// By how many times the viscosities differ, whichever is the larger.
@@ -125,10 +126,11 @@ double viscosity_contrast(const Case& c) {
 /// The narrower kernel has about half the error. But where the viscosities differ much, its
 /// correction of the jump answers node-sized wiggles the wrong way round
 /// (docs/theory/interface.md).
-std::string choose_delta(const Case& c) {
-    if (c.numerics.delta != "auto") return c.numerics.delta;
+Delta choose_delta(const Case& c) {
+    if (c.numerics.delta) return *c.numerics.delta;
     constexpr double largest = 10.0 * (1.0 + 1e-9);  // "12 cP" over "1.2 cP" is 10.000000000000002
-    return viscosity_contrast(c) <= largest ? "roma3" : "peskin4";
+    if (viscosity_contrast(c) <= largest) return Roma3{};
+    return Peskin4{};
 }
 
 /// Where the viscosities differ by more the correction takes off more than node-sized wiggles move,

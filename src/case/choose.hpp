@@ -21,8 +21,8 @@ struct Choice {
     double relaxation_time = 1.0;  ///< τ of the plasma
     double density_scale = 1.0;    ///< S
     double node_spacing = 1.0;     ///< in sites
-    std::string equilibrium;       ///< linear | incompressible | full
-    std::string delta;             ///< cosine4 | hat2 | roma3 | peskin4
+    Equilibrium equilibrium;
+    Delta delta;
     bool jump_correction = true;
     Rate shear_rate;                     ///< nominal k, or pseudo-shear rate; negative: to the left
     Velocity largest_speed;              ///< of the undisturbed flow

@@ -7,22 +7,9 @@
 namespace tt {
 namespace {
 
-Equilibrium equilibrium_of(const std::string& name) {
-    if (name == "full") return FullEquilibrium{};
-    if (name == "incompressible") return IncompressibleEquilibrium{};
-    return LinearEquilibrium{};
-}
-
-Delta delta_of(const std::string& name) {
-    if (name == Cosine4::name) return Cosine4{};
-    if (name == Hat2::name) return Hat2{};
-    if (name == Roma3::name) return Roma3{};
-    return Peskin4{};
-}
-
 /// Distance beyond r₀ at which the attraction has fallen to 1 % of its peak: with z = e^{−β(r−r₀)}
 /// the force is ∝ z − z², largest ¼ at z = ½; 1 % of it at z = ½ (1 − √0.99).
-double query_range(const ContactCase& contact) {
+double query_range(const MorseContact& contact) {
     const double z = 0.5 * (1.0 - std::sqrt(0.99));
     return contact.zero_force_distance.si - std::log(z) / contact.decay.si;
 }
@@ -30,12 +17,12 @@ double query_range(const ContactCase& contact) {
 ContactModel contact_of(const Case& c, const Scales& scales) {
     const ContactCase& k = c.contact;
     ContactModel contact;
-    contact.nearest = k.nearest == "node" ? Nearest::node : Nearest::segment;
-    if (k.model == "morse") {
-        contact.law = Morse{scales.to_lattice(k.energy), scales.to_lattice(k.decay),
-                            scales.to_lattice(k.zero_force_distance),
+    contact.nearest = k.nearest;
+    if (const MorseContact* morse = k.morse()) {
+        contact.law = Morse{scales.to_lattice(morse->energy), scales.to_lattice(morse->decay),
+                            scales.to_lattice(morse->zero_force_distance),
                             hardening_of(c.membrane.hardening).contact};
-        contact.range = scales.to_lattice(k.range.value_or(Length{query_range(k)}));
+        contact.range = scales.to_lattice(morse->range.value_or(Length{query_range(*morse)}));
     }
     if (k.short_range_repulsion) {
         contact.repulsion_range = k.repulsion_range ? scales.to_lattice(*k.repulsion_range) : 1.0;
@@ -47,17 +34,10 @@ ContactModel contact_of(const Case& c, const Scales& scales) {
 ViscosityModel viscosity_of(const Case& c, const Choice& choice, const Scales& scales) {
     const NumericsCase& n = c.numerics;
     ViscosityModel viscosity;
-    if (n.interior == "flood-fill") viscosity.interior = FloodFill{};
-    if (n.interface_viscosity == "smoothed")
-        viscosity.interface = SmoothedInterface{n.smoothing_width};
-    if (n.interface_viscosity == AreaFraction::name) viscosity.interface = AreaFraction{};
-    viscosity.mean = HarmonicMean{};
-    if (n.viscosity_mean == "arithmetic") viscosity.mean = ArithmeticMean{};
-    if (n.collision == "bgk") {
-        viscosity.collision = Bgk{};
-    } else {
-        viscosity.collision = Trt{n.magic};
-    }
+    viscosity.interior = n.interior;
+    viscosity.interface = n.interface_viscosity;
+    viscosity.mean = n.viscosity_mean;
+    viscosity.collision = n.collision;
     viscosity.plasma = (choice.relaxation_time - 0.5) / 3.0;
     viscosity.cytoplasm =
         viscosity.plasma * (c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si);
@@ -73,13 +53,13 @@ ViscosityModel viscosity_of(const Case& c, const Choice& choice, const Scales& s
 
 Model discretise(const Case& c, const Choice& choice) {
     Model m;
-    m.lattice = {choice.nx, choice.ny, c.domain.sides == "walls"};
+    m.lattice = {choice.nx, choice.ny, c.domain.sides == Sides::walls};
     const double dx = choice.dx.si;
     m.scales = {dx, choice.dt.si, choice.density_scale * c.plasma.density.si * dx * dx * dx};
     m.density_scale = choice.density_scale;
-    m.equilibrium = equilibrium_of(choice.equilibrium);
+    m.equilibrium = choice.equilibrium;
     m.precision = c.numerics.precision == "single" ? Precision::fp32 : Precision::fp64;
-    m.delta = delta_of(choice.delta);
+    m.delta = choice.delta;
     m.viscosity = viscosity_of(c, choice, m.scales);
     if (choice.jump_correction) m.jump = jump_correction(m.delta, m.viscosity);
     m.membrane = membrane_of(c.membrane, m.scales);
@@ -88,14 +68,14 @@ Model discretise(const Case& c, const Choice& choice) {
     m.shear_rate = m.scales.to_lattice(choice.shear_rate);
 
     const double gradient = m.scales.to_lattice(choice.pressure_gradient);
-    if (c.flow.drive == "shear") {
+    if (c.flow.shear()) {
         m.boundaries.top_speed = 0.5 * m.shear_rate * m.lattice.ny;
         m.boundaries.bottom_speed = -m.boundaries.top_speed;
-    } else {
-        m.drive.hold_mean_velocity = c.flow.hold == "mean-velocity";
+    } else if (const ChannelFlow* channel = c.flow.channel()) {
+        m.drive.hold_mean_velocity = channel->hold == Hold::mean_velocity;
         m.drive.target_velocity = m.shear_rate * m.lattice.ny;
         // A controller acts through the body force; a constant drop acts where the case says.
-        if (c.flow.drive == "pressure" && !m.drive.hold_mean_velocity) {
+        if (std::holds_alternative<PressureDrive>(c.flow.drive) && !m.drive.hold_mean_velocity) {
             m.boundaries.pressure_drop = gradient * m.lattice.nx;
         } else {
             m.drive.body_force = gradient;

@@ -16,11 +16,14 @@ namespace {
 std::vector<Vec2> outline_at_rest(const CellsCase& cells) {
     constexpr int nodes = 360;
     const double radius = cells.radius.si;
-    if (cells.shape == "file") return cells.outline ? cells.outline->points : std::vector<Vec2>{};
-    if (cells.shape == "biconcave") return biconcave(radius, nodes);
-    if (cells.shape == "circle") return circle(radius, nodes);
-    const double ratio = std::sqrt(cells.aspect_ratio.value_or(1.0));
-    return ellipse(radius * ratio, radius / ratio, nodes);
+    if (std::holds_alternative<BiconcaveShape>(cells.shape)) return biconcave(radius, nodes);
+    if (const auto* shape = std::get_if<EllipseShape>(&cells.shape)) {
+        const double ratio = std::sqrt(shape->aspect_ratio);
+        return ellipse(radius * ratio, radius / ratio, nodes);
+    }
+    if (std::holds_alternative<OutlineShape>(cells.shape))
+        return cells.outline() ? cells.outline()->points : std::vector<Vec2>{};
+    return circle(radius, nodes);
 }
 
 /// A cell as it lies, about its centre.
@@ -71,15 +74,16 @@ std::string cure(const Case& c, const std::vector<Vec2>& rest, const Extent& ext
     const double most = room / extent.fill(c.domain);
     const double radius = most * c.cells.radius.si;
     std::string text = fmt::format("write radius = \"{}\"", rounded_text(Length{radius}, 3));
-    if (c.cells.shape == "file") text = fmt::format("one of {:.3g} times its size does", most);
-    if (c.cells.shape != "file" && radius < smallest_radius) {
+    const bool from_file = std::holds_alternative<OutlineShape>(c.cells.shape);
+    if (from_file) text = fmt::format("one of {:.3g} times its size does", most);
+    if (!from_file && radius < smallest_radius) {
         const bool wide = extent.across() / c.domain.width.si > extent.along() / c.domain.length.si;
         const double size = wide ? extent.across() : extent.along();
         const double spacing = c.numerics.dx ? c.numerics.dx->si : 0.1 * size;
         text = fmt::format("write {} = \"{}\"", wide ? "width" : "length",
                            rounded_text(Length{std::ceil(2.0 * size / spacing) * spacing}, 9));
     }
-    if (c.cells.layout == "random") return text;
+    if (std::holds_alternative<AtRandom>(c.cells.layout)) return text;
     const double angle = roomiest_angle(rest, c);
     if (extent_at(rest, c.cells, angle).fill(c.domain) < room)
         text += fmt::format(", or angle = \"{:.3g} deg\"", angle * 180.0 / std::numbers::pi);
@@ -118,13 +122,13 @@ bool judge_number(Judge& judge, const Case& c, double share) {
     return false;
 }
 
-void judge_overlap(Judge& judge, const Case& c) {
+void judge_overlap(Judge& judge, const Case& c, const std::vector<std::vector<Length>>& positions) {
     const double radius = c.cells.radius.si;
-    const bool walls = c.domain.sides == "walls";
-    for (std::size_t i = 0; i < c.cells.positions.size(); ++i)
+    const bool walls = c.domain.sides == Sides::walls;
+    for (std::size_t i = 0; i < positions.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            const auto& p = c.cells.positions[i];
-            const auto& q = c.cells.positions[j];
+            const auto& p = positions[i];
+            const auto& q = positions[j];
             if (p.size() != 2 || q.size() != 2) return;
             const double dx = std::remainder(p[0].si - q[0].si, c.domain.length.si);
             const double apart = p[1].si - q[1].si;
@@ -142,7 +146,8 @@ void judge_overlap(Judge& judge, const Case& c) {
 void judge_fit(Judge& judge, const Case& c) {
     const std::vector<Vec2> rest = outline_at_rest(c.cells);
     if (rest.empty()) return;
-    const double angle = c.cells.layout == "random" ? roomiest_angle(rest, c) : c.cells.angle.si;
+    const bool random = std::holds_alternative<AtRandom>(c.cells.layout);
+    const double angle = random ? roomiest_angle(rest, c) : c.cells.angle.si;
     const Extent extent = extent_at(rest, c.cells, angle);
     if (extent.fill(c.domain) >= 1.0)
         return judge.tell(
@@ -151,17 +156,18 @@ void judge_fit(Judge& judge, const Case& c) {
                         to_text(c.domain.length), to_text(c.domain.width), cure(c, rest, extent)));
     const bool number =
         judge_number(judge, c, area_of(rest) / (c.domain.length.si * c.domain.width.si));
-    if (c.cells.layout == "paper" && number) judge_rows(judge, c, extent);
+    if (std::holds_alternative<PaperRows>(c.cells.layout) && number) judge_rows(judge, c, extent);
 }
 
 void judge_positions(Judge& judge, const Case& c) {
+    const auto* layout = std::get_if<AtPositions>(&c.cells.layout);
     const std::vector<Vec2> rest = outline_at_rest(c.cells);
-    if (rest.empty()) return;
+    if (!layout || rest.empty()) return;
     const Extent extent = extent_at(rest, c.cells, c.cells.angle.si);
     const double lowest = -extent.low.y, highest = c.domain.width.si - extent.high.y;
-    for (const auto& p : c.cells.positions) {
+    for (const auto& p : layout->positions) {
         if (p.size() != 2) return;
-        if (c.domain.sides == "walls" && lowest < highest &&
+        if (c.domain.sides == Sides::walls && lowest < highest &&
             (p[1].si < lowest || p[1].si > highest))
             judge.tell({"cells.positions"},
                        fmt::format("the cell at [{}, {}] reaches into a wall; its y may be from {} "
@@ -169,7 +175,8 @@ void judge_positions(Judge& judge, const Case& c) {
                                    to_text(p[0]), to_text(p[1]), rounded_text(Length{lowest}),
                                    rounded_text(Length{highest})));
     }
-    if (c.cells.shape == "circle" && !c.cells.initial_stretch) judge_overlap(judge, c);
+    if (std::holds_alternative<CircleShape>(c.cells.shape) && !c.cells.initial_stretch)
+        judge_overlap(judge, c, layout->positions);
 }
 
 }  // namespace tt

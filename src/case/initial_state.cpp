@@ -55,13 +55,13 @@ std::vector<Vec2> stress_free_shape(const Case& c, double dx) {
     const auto nodes = [&](double perimeter) {
         return std::max(8, static_cast<int>(std::ceil(perimeter / spacing - 0.01)));
     };
-    const double aspect = c.cells.aspect_ratio.value_or(1.0);
     std::vector<Vec2> shape;
-    if (c.cells.shape == "file") {
-        shape = resampled(*c.cells.outline, nodes(perimeter_of(c.cells.outline->points)));
-    } else if (c.cells.shape == "biconcave") {
+    if (const CellOutline* outline = c.cells.outline()) {
+        shape = resampled(*outline, nodes(perimeter_of(outline->points)));
+    } else if (std::holds_alternative<BiconcaveShape>(c.cells.shape)) {
         shape = biconcave(radius, nodes(perimeter_of(biconcave(radius, 1000))));
-    } else if (c.cells.shape == "ellipse") {
+    } else if (const auto* ellipse_shape = std::get_if<EllipseShape>(&c.cells.shape)) {
+        const double aspect = ellipse_shape->aspect_ratio;
         const double major = radius * std::sqrt(aspect), minor = radius / std::sqrt(aspect);
         shape = ellipse(major, minor, nodes(perimeter_of(ellipse(major, minor, 1000))));
     } else {
@@ -80,17 +80,17 @@ std::vector<Placement> placements(const Case& c, const Model& m, const std::vect
         const double cells = *c.cells.hematocrit * length * width / area_of(shape);
         return multiple * std::max(1, static_cast<int>(std::lround(cells / multiple)));
     };
-    if (c.cells.layout == "paper") {
+    if (const auto* rows = std::get_if<PaperRows>(&c.cells.layout)) {
         std::vector<Placement> cells =
-            two_rows(number(2), length, width, m.scales.to_lattice(c.cells.perturbation), seed);
+            two_rows(number(2), length, width, m.scales.to_lattice(rows->perturbation), seed);
         for (Placement& cell : cells) cell.angle = c.cells.angle.si;
         return cells;
     }
-    if (c.cells.layout == "random")
+    if (std::holds_alternative<AtRandom>(c.cells.layout))
         return random_placements(shape, number(1), m.lattice, seed, watch);
-    if (c.cells.layout == "explicit") {
+    if (const auto* layout = std::get_if<AtPositions>(&c.cells.layout)) {
         std::vector<Placement> cells;
-        for (const auto& p : c.cells.positions) {
+        for (const auto& p : layout->positions) {
             cells.push_back(
                 {{m.scales.to_lattice(p[0]), m.scales.to_lattice(p[1])}, c.cells.angle.si});
         }
@@ -199,7 +199,7 @@ State initial_state(const Case& c, const Model& model, const LayoutWatch& watch)
     // Nothing is nearer than the reach of the contact forces; without them gaps are not measured.
     state.contact.smallest_gap = model.contact.range > 0.0 ? model.contact.range : std::nan("");
     const VectorField flow =
-        c.flow.start == "rest" ? VectorField(model.lattice) : undisturbed_flow(model);
+        c.flow.start == FluidStart::rest ? VectorField(model.lattice) : undisturbed_flow(model);
     set_equilibrium(model.equilibrium, flow, model.boundaries.pressure_drop, state.populations);
     derive(model, state);
     let_nodes_follow(state);

@@ -28,7 +28,7 @@ std::vector<Usual> numbers_of_flow(const Case& c, const Choice& choice) {
         {"plasma.density", c.plasma.density.si, 700.0, 1500.0, Density::dimension},
     };
     if (k == 0.0) return list;
-    const bool shear = c.flow.drive == "shear";
+    const bool shear = c.flow.shear() != nullptr;
     list.push_back(
         {shear ? "the shear rate" : "the pseudo-shear rate", k, 0.1, 2e4, Rate::dimension});
     list.push_back({"the largest speed", choice.largest_speed.si, 1e-7, 1.0, Velocity::dimension});
@@ -47,11 +47,10 @@ std::vector<Usual> numbers_of_cells(const Case& c, const Appraisal& a) {
     if (c.membrane.bending_modulus.si > 0.0)
         list.push_back({"membrane.bending_modulus", c.membrane.bending_modulus.si, 1e-21, 2e-17,
                         BendingModulus::dimension});
-    if (c.contact.model != "none" && a.cells > 1) {
-        list.push_back({"contact.zero_force_distance", c.contact.zero_force_distance.si, 1e-8, 2e-6,
+    if (const MorseContact* morse = c.contact.morse(); morse && a.cells > 1) {
+        list.push_back({"contact.zero_force_distance", morse->zero_force_distance.si, 1e-8, 2e-6,
                         Length::dimension});
-        list.push_back(
-            {"contact.energy", c.contact.energy.si, 0.0, 1e-4, SurfaceEnergy::dimension});
+        list.push_back({"contact.energy", morse->energy.si, 0.0, 1e-4, SurfaceEnergy::dimension});
     }
     if (a.shear_number > 0.0)
         list.push_back({"G = mu k a / E_s", a.shear_number, 1e-3, 20.0, Dimension{}});

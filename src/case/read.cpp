@@ -114,10 +114,11 @@ void judge_name(const TomlNode& root, Reader<Case>& reader, Case& c, const std::
 /// Returns what is wrong with it.
 std::vector<Fault> read_shape_file(Case& c, const Places& places) {
     CellsCase& cells = c.cells;
-    if (cells.shape != "file" || !cells.file) return {};
+    auto* shape = std::get_if<OutlineShape>(&cells.shape);
+    if (!shape || shape->file.empty()) return {};
     try {
-        const std::filesystem::path path = *cells.file;
-        cells.outline = read_outline(read_file(path, Author::user), shown(path), cells);
+        const std::filesystem::path path = shape->file;
+        shape->outline = read_outline(read_file(path, Author::user), shown(path), *shape);
     } catch (const CaseError& error) {
         return error.faults();
     } catch (const IoError& error) {
@@ -125,13 +126,13 @@ std::vector<Fault> read_shape_file(Case& c, const Places& places) {
         fault.message = fmt::format("{}; file names the points of an outline", error.what());
         return {fault};
     }
-    const Length radius{measures_of(*cells.outline).radius};
+    const Length radius{measures_of(*shape->outline).radius};
     if (places.count("cells.radius") > 0 &&
         std::abs(cells.radius.si - radius.si) > 1e-6 * radius.si)
-        cells.outline->remarks.push_back(fmt::format(
+        shape->outline->remarks.push_back(fmt::format(
             "radius = {} in [cells] is not used: the outline of {} has the area of a circle of {}. "
             "Leave radius out.",
-            to_text(cells.radius), cells.outline->file, rounded_text(radius)));
+            to_text(cells.radius), shape->outline->file, rounded_text(radius)));
     cells.radius = radius;
     return {};
 }
@@ -151,8 +152,9 @@ Case parse_case(std::string_view text, const std::string& name,
         Reader<Case> reader(name);
         reader.read_table(toml.root, nullptr, "", result);
         judge_name(toml.root, reader, result, name);
-        if (result.cells.file)
-            result.cells.file = (directory / *result.cells.file).lexically_normal().string();
+        if (auto* shape = std::get_if<OutlineShape>(&result.cells.shape);
+            shape && !shape->file.empty())
+            shape->file = (directory / shape->file).lexically_normal().string();
         const bool read = reader.faults.empty();
         std::vector<Fault> outline_faults;
         if (read && !directory.empty()) outline_faults = read_shape_file(result, reader.places);

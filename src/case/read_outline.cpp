@@ -64,8 +64,9 @@ PointList points_of(std::string_view bytes, const std::string& file) {
 }
 
 /// A heading that says in which unit the numbers are must agree with how they are read.
-void refuse_other_unit(const std::string& unit, const std::string& file, const CellsCase& cells) {
-    if (unit.empty() || cells.pixel) return;
+void refuse_other_unit(const std::string& unit, const std::string& file,
+                       const OutlineShape& shape) {
+    if (unit.empty() || shape.pixel) return;
     if (unit.substr(0, 2) == "px" || unit.substr(0, 5) == "pixel")
         refuse(file,
                "its numbers are pixels; write pixel = \"0.1 um\", the side of one, in "
@@ -97,12 +98,12 @@ std::string steps_advice(const CellOutline& outline) {
         outline.file, 100.0 * longer, rounded_text(Length{1.5 * step}, 2));
 }
 
-std::string direction_advice(const CellOutline& outline, const CellsCase& cells) {
+std::string direction_advice(const CellOutline& outline, const OutlineShape& shape) {
     return fmt::format(
         "{} {}. Images count y downwards: write y_down = true in [cells] if this outline does, "
         "else its mirror image is what runs; y_down = false if it does not.{}",
-        outline.file, cells.pixel ? "is in pixels" : "runs clockwise",
-        cells.pixel ? " Its first number is taken for x: lists of row, column must be turned round."
+        outline.file, shape.pixel ? "is in pixels" : "runs clockwise",
+        shape.pixel ? " Its first number is taken for x: lists of row, column must be turned round."
                     : "");
 }
 
@@ -123,13 +124,13 @@ void scale(CellOutline& outline, double unit, bool y_down) {
         refuse(outline.file, "the outline encloses no area; its numbers are um");
 }
 
-void smooth(CellOutline& outline, const CellsCase& cells) {
-    const double length = cells.smoothing->si, perimeter = perimeter_of(outline.points);
+void smooth(CellOutline& outline, const OutlineShape& shape) {
+    const double length = shape.smoothing->si, perimeter = perimeter_of(outline.points);
     if (!(length < 0.05 * perimeter) || !(length > 1e-4 * perimeter))
         refuse(outline.file,
                fmt::format("smoothing = {} does not go with a perimeter of {}; write about one and "
                            "a half pixels, at least {} and at most {}",
-                           to_text(*cells.smoothing), rounded_text(Length{perimeter}),
+                           to_text(*shape.smoothing), rounded_text(Length{perimeter}),
                            rounded_text(Length{1.1e-4 * perimeter}, 2),
                            rounded_text(Length{0.049 * perimeter}, 2)));
     outline.points = smoothed(outline.points, length);
@@ -137,14 +138,15 @@ void smooth(CellOutline& outline, const CellsCase& cells) {
     if (outline_fault(smooth, outline.file))
         refuse(outline.file, fmt::format("with smoothing = {} the outline crosses itself; write "
                                          "less",
-                                         to_text(*cells.smoothing)));
+                                         to_text(*shape.smoothing)));
 }
 
 }  // namespace
 
-CellOutline read_outline(std::string_view bytes, const std::string& file, const CellsCase& cells) {
+CellOutline read_outline(std::string_view bytes, const std::string& file,
+                         const OutlineShape& shape) {
     const PointList list = points_of(bytes, file);
-    refuse_other_unit(list.unit, file, cells);
+    refuse_other_unit(list.unit, file, shape);
     GivenPoints given = without_repeats(list);
     if (auto fault = outline_fault(given, file)) throw CaseError({std::move(*fault)});
 
@@ -156,13 +158,13 @@ CellOutline read_outline(std::string_view bytes, const std::string& file, const 
     outline.clockwise = area_of(given.points) < 0.0;
     outline.staircase = is_staircase(given.points);
     outline.points = std::move(given.points);
-    if (!cells.pixel && is_whole(outline.points)) outline.remarks.push_back(unit_advice(outline));
-    if (!cells.y_down && !list.y_down && (outline.clockwise || cells.pixel))
-        outline.remarks.push_back(direction_advice(outline, cells));
+    if (!shape.pixel && is_whole(outline.points)) outline.remarks.push_back(unit_advice(outline));
+    if (!shape.y_down && !list.y_down && (outline.clockwise || shape.pixel))
+        outline.remarks.push_back(direction_advice(outline, shape));
 
-    scale(outline, cells.pixel.value_or(Length{1e-6}).si, cells.y_down.value_or(list.y_down));
-    if (outline.staircase && !cells.smoothing) outline.remarks.push_back(steps_advice(outline));
-    if (cells.smoothing) smooth(outline, cells);
+    scale(outline, shape.pixel.value_or(Length{1e-6}).si, shape.y_down.value_or(list.y_down));
+    if (outline.staircase && !shape.smoothing) outline.remarks.push_back(steps_advice(outline));
+    if (shape.smoothing) smooth(outline, shape);
     outline.points = placed(outline.points, 0.0, -centroid_of(outline.points));
     return outline;
 }

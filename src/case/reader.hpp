@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <type_traits>
 
 #include "base/letter.hpp"
@@ -17,8 +18,8 @@ namespace tt {
 /// The paths of all tables that have a field `key`.
 template <TomlTable S>
 void find_key(std::string_view key, const std::string& path, std::vector<std::string>& found) {
-    for_each_field<S>([&](const auto& field) {
-        using T = std::remove_cvref_t<decltype(std::declval<S>().*field.member)>;
+    for_each_key<S>([&](const auto& field) {
+        using T = value_type_of<decltype(field)>;
         if (field.key == key && !path.empty()) found.push_back(path);
         if constexpr (TomlTable<T>)
             find_key<T>(
@@ -37,24 +38,41 @@ public:
     template <TomlTable S>
     void read_table(const TomlNode& table, const TomlEntry* header, const std::string& path,
                     S& result) {
+        // Choices first: what else may be written follows from them.
+        for_each_field<S>([&](const auto& field) {
+            auto& value = result.*field.member;
+            if constexpr (StructChoice<std::remove_cvref_t<decltype(value)>>)
+                if (const TomlEntry* entry = table.find(field.key))
+                    read_field(*entry, join(path, field.key), field, value);
+        });
         for (const TomlEntry& entry : table.entries) {
             bool known = false;
             for_each_field<S>([&](const auto& field) {
-                if (field.key != entry.key) return;
-                known = true;
-                read_field(entry, join(path, field.key), field, result.*field.member);
+                auto& value = result.*field.member;
+                constexpr bool choice = StructChoice<std::remove_cvref_t<decltype(value)>>;
+                if (field.key == entry.key) {
+                    known = true;
+                    if constexpr (!choice) read_field(entry, join(path, field.key), field, value);
+                } else if constexpr (has_keys<std::remove_cvref_t<decltype(value)>>) {
+                    known = known || read_key_of_choice(entry, path, field.key, value);
+                }
             });
             if (!known) tell_unknown_key<S>(entry, path);
         }
         for_each_field<S>([&](const auto& field) {
-            if (table.find(field.key) == nullptr)
-                read_absent(header, join(path, field.key), field, result.*field.member);
+            auto& value = result.*field.member;
+            const TomlEntry* entry = table.find(field.key);
+            if (entry == nullptr) read_absent(header, join(path, field.key), field, value);
+            if constexpr (has_keys<std::remove_cvref_t<decltype(value)>>)
+                read_absent_of_choice(table, entry ? entry : header, path, field.key, value);
         });
     }
 
     Places places;
 
 private:
+    std::set<std::string> faulty_;  ///< keys of which the value could not be read
+
     using ValueReader::read_value;
 
     static std::string join(const std::string& path, std::string_view key) {
@@ -63,7 +81,71 @@ private:
 
     template <class F>
     static FieldText text_of(const F& field) {
-        return {field.key, field.range, field.choices, field.example};
+        return {field.key, field.range, words_of_field(field, value_type_of<F>{}), field.example};
+    }
+
+    /// A key that belongs to the alternatives of a choice. Of the one that is chosen it is read; of
+    /// another it means nothing. False if it is none.
+    template <StructChoice V>
+    bool read_key_of_choice(const TomlEntry& entry, const std::string& path,
+                            std::string_view choice_key, V& choice) {
+        const auto words = words_with_key<V>(entry.key);
+        if (words.empty() || faulty_.contains(join(path, choice_key))) return !words.empty();
+        const std::string_view word = word_of(choice);
+        if (std::find(words.begin(), words.end(), word) == words.end()) {
+            if (entry.value.kind != TomlNode::Kind::string || entry.value.text != "auto")
+                tell_key(entry, fmt::format("{} means nothing with {} = \"{}\"; leave it out",
+                                            entry.key, choice_key, word));
+            return true;
+        }
+        std::visit(
+            [&](auto& chosen) {
+                using A = std::remove_cvref_t<decltype(chosen)>;
+                if constexpr (Fielded<A>)
+                    for_each_field<A>([&](const auto& field) {
+                        if (field.key == entry.key)
+                            read_field(entry, join(path, field.key), field, chosen.*field.member);
+                    });
+            },
+            choice);
+        return true;
+    }
+
+    /// Keys that the chosen alternative needs: those whose default lies outside their range.
+    template <StructChoice V>
+    void read_absent_of_choice(const TomlNode& table, const TomlEntry* at, const std::string& path,
+                               std::string_view choice_key, V& choice) {
+        if (faulty_.contains(join(path, choice_key))) return;
+        std::visit(
+            [&](auto& chosen) {
+                using A = std::remove_cvref_t<decltype(chosen)>;
+                if constexpr (Fielded<A>)
+                    for_each_field<A>([&](const auto& field) {
+                        if (table.find(field.key) != nullptr ||
+                            !must_be_given(field, chosen.*field.member))
+                            return;
+                        const bool number = std::is_same_v<value_type_of<decltype(field)>, double>;
+                        fault_at(at).message = fmt::format(
+                            "{} = \"{}\" needs {} = {}", choice_key, word_of(choice), field.key,
+                            number ? std::string(field.example) : toml_string(field.example));
+                    });
+            },
+            choice);
+    }
+
+    template <class F, class T>
+    static bool must_be_given(const F& field, const T& value) {
+        if constexpr (is_quantity<T>) return !field.range.contains(value.si);
+        if constexpr (std::is_same_v<T, double>) return !field.range.contains(value);
+        if constexpr (std::is_same_v<T, std::string>) return value.empty();
+        return false;
+    }
+
+    /// A new fault, with the place of a header or of a choice.
+    Fault& fault_at(const TomlEntry* at) {
+        faults.push_back(at != nullptr ? place(*at, at->line, at->column)
+                                       : Fault{file(), 0, 0, {}});
+        return faults.back();
     }
 
     template <class F, class T>
@@ -88,7 +170,9 @@ private:
                 }
             }
             places[path] = place(entry, entry.line, entry.column);
+            const std::size_t before = faults.size();
             read_value(entry, entry.value, text_of(field), result);
+            if (faults.size() > before) faulty_.insert(path);
         }
     }
 
@@ -118,18 +202,15 @@ private:
     }
 
     void tell_missing(const TomlEntry* header, const std::string& path, const FieldText& field) {
-        Fault fault = header != nullptr ? place(*header, header->line, header->column)
-                                        : Fault{file(), 0, 0, {}};
-        fault.message =
+        fault_at(header).message =
             fmt::format("{} is missing from [{}]; write {} = {}", field.key,
                         path.substr(0, path.rfind('.')), field.key, toml_string(field.example));
-        faults.push_back(std::move(fault));
     }
 
     template <TomlTable S>
     void tell_unknown_key(const TomlEntry& entry, const std::string& path) {
         std::vector<std::string_view> keys;
-        for_each_field<S>([&](const auto& field) { keys.push_back(field.key); });
+        for_each_key<S>([&](const auto& field) { keys.push_back(field.key); });
         std::vector<std::string> elsewhere;
         find_key<Root>(entry.key, "", elsewhere);
         std::string message =
@@ -144,6 +225,14 @@ private:
         else
             message += fmt::format("; known here: {}", fmt::join(keys, ", "));
         tell_key(entry, std::move(message));
+    }
+
+    template <Choosable T>
+    void read_value(const TomlEntry& entry, const TomlNode& node, const FieldText& field,
+                    T& result) {
+        std::string word{word_of(result)};
+        read_value(entry, node, field, word);
+        if (word != word_of(result)) choose_word(word, result);
     }
 
     template <class T>

@@ -41,11 +41,13 @@ KeyLine key_line(const std::string& table, const F& field, const T& value) {
     KeyLine line;
     line.full_name = full_name(table, field.key);
     if constexpr (is_quantity<T>) line.required = !field.range.contains(value.si);
+    if constexpr (std::is_same_v<T, double>) line.required = !field.range.contains(value);
     line.example = fmt::format("{} = {}", field.key, sample(field, value, line.required));
     line.meaning = field.meaning;
     line.bounds = bounds_text(field.range, unit_of(field.example));
     constexpr bool flag = std::is_same_v<item_type<T>, bool>;
-    const std::string_view words = flag ? std::string_view("true|false") : field.choices;
+    const std::string_view words =
+        flag ? std::string_view("true|false") : words_of_field(field, value);
     if (!words.empty()) {
         for (const std::string_view word : split(words, '|')) line.words.emplace_back(word);
         line.bounds +=
@@ -58,14 +60,33 @@ KeyLine key_line(const std::string& table, const F& field, const T& value) {
     return line;
 }
 
+/// The keys of the alternatives of a choice, each with the words that it belongs to.
+template <StructChoice V>
+void collect_of_choice(std::string_view choice_key, KeyTable& table) {
+    for_each_alternative<V>([&]<class A>() {
+        if constexpr (Fielded<A>) {
+            const A defaults{};
+            for_each_field<A>([&](const auto& field) {
+                const auto words = words_with_key<V>(field.key);
+                if (words.front() != A::name) return;
+                KeyLine line = key_line(table.name, field, defaults.*field.member);
+                line.meaning = fmt::format("with {} = \"{}\": {}", choice_key,
+                                           fmt::join(words, "\" or \""), line.meaning);
+                table.keys.push_back(std::move(line));
+            });
+        }
+    });
+}
+
 template <TomlTable S>
 void collect(const std::string& path, std::string_view meaning, std::vector<KeyTable>& tables) {
     const S defaults{};
     KeyTable table{path, std::string(meaning), {}};
     for_each_field<S>([&](const auto& field) {
         const auto& value = defaults.*field.member;
-        if constexpr (!TomlTable<std::remove_cvref_t<decltype(value)>>)
-            table.keys.push_back(key_line(path, field, value));
+        using T = std::remove_cvref_t<decltype(value)>;
+        if constexpr (!TomlTable<T>) table.keys.push_back(key_line(path, field, value));
+        if constexpr (has_keys<T>) collect_of_choice<T>(field.key, table);
     });
     tables.push_back(std::move(table));
     for_each_field<S>([&](const auto& field) {

@@ -22,22 +22,26 @@ std::string line(std::string_view key, double value) {
 
 /// Two files of one content are one input, wherever they lie.
 Case named_by_content(Case c) {
-    if (c.cells.outline) c.cells.file = "content " + hexadecimal(checksum(c.cells.outline->bytes));
+    if (const CellOutline* outline = c.cells.outline())
+        std::get<OutlineShape>(c.cells.shape).file =
+            "content " + hexadecimal(checksum(outline->bytes));
     return c;
 }
 
 }  // namespace
 
 std::vector<InputFile> inputs_of(const Case& c) {
-    if (!c.cells.outline) return {};
-    const std::filesystem::path file = c.cells.outline->file;
-    return {{"inputs/" + file.filename().string(), c.cells.outline->bytes}};
+    const CellOutline* outline = c.cells.outline();
+    if (!outline) return {};
+    const std::filesystem::path file = outline->file;
+    return {{"inputs/" + file.filename().string(), outline->bytes}};
 }
 
 std::string resolved_toml(const Case& c, const Choice& choice, const Model& model) {
     const Scales& s = model.scales;
     Case standing_alone = c;
-    if (c.cells.outline) standing_alone.cells.file = inputs_of(c).front().name;
+    if (c.cells.outline())
+        std::get<OutlineShape>(standing_alone.cells.shape).file = inputs_of(c).front().name;
     std::string text = to_toml(standing_alone);
     text += fmt::format("\n# What follows from these.{:<28}{}\n", "", "in lattice units");
     text += fmt::format("# {:<24} {} x {} sites\n", "lattice", choice.nx, choice.ny);
@@ -45,14 +49,14 @@ std::string resolved_toml(const Case& c, const Choice& choice, const Model& mode
     text += line("dt", choice.dt, s);
     text += line("relaxation_time", choice.relaxation_time);
     text += line("density_scale", choice.density_scale);
-    text += fmt::format("# {:<24} {}\n", "equilibrium", choice.equilibrium);
+    text += fmt::format("# {:<24} {}\n", "equilibrium", word_of(choice.equilibrium));
     text += line("cell_reynolds_as_run", choice.cell_reynolds(c));
     text += line("shear_rate", choice.shear_rate, s);
     text += line("largest_speed", choice.largest_speed, s);
     text += line("pressure_gradient", choice.pressure_gradient, s);
     text += line("plasma.viscosity", c.plasma.viscosity, s);
     if (c.numerics.fluid_only) return text;
-    text += fmt::format("# {:<24} {}\n", "delta", choice.delta);
+    text += fmt::format("# {:<24} {}\n", "delta", word_of(choice.delta));
     text += fmt::format("# {:<24} {}\n", "jump_correction", choice.jump_correction);
     text += line("cytoplasm_viscosity", c.cells.cytoplasm_viscosity, s);
     text += line("radius", equivalent_radius(c), s);
@@ -66,7 +70,7 @@ std::string resolved_toml(const Case& c, const Choice& choice, const Model& mode
 }
 
 std::string settings_of(const Case& c, const Choice& choice) {
-    const auto chosen = [](std::string_view key, const std::string& value) {
+    const auto chosen = [](std::string_view key, std::string_view value) {
         return fmt::format("chosen.{} = {}\n", key, value);
     };
     return key_lines(named_by_content(c)) + chosen("dx", to_text(choice.dx)) +
@@ -74,7 +78,8 @@ std::string settings_of(const Case& c, const Choice& choice) {
            chosen("relaxation_time", to_text(choice.relaxation_time)) +
            chosen("density_scale", to_text(choice.density_scale)) +
            chosen("node_spacing", to_text(choice.node_spacing)) +
-           chosen("equilibrium", choice.equilibrium) + chosen("delta", choice.delta) +
+           chosen("equilibrium", word_of(choice.equilibrium)) +
+           chosen("delta", word_of(choice.delta)) +
            chosen("area_stiffness", to_text(choice.area_stiffness));
 }
 

@@ -27,23 +27,18 @@ struct FieldList<DomainCase> {
                    {},
                    "80 um"},
         FieldEntry{"width", &T::width, "from wall to wall, across the flow", box_size, {}, "20 um"},
-        FieldEntry{"sides", &T::sides, "what bounds the box across the flow", any_value,
-                   "walls|periodic"},
+        FieldEntry{"sides", &T::sides, "what bounds the box across the flow"},
     };
 };
 
 template <>
-struct FieldList<FlowCase> {
-    using T = FlowCase;
+struct FieldList<ChannelFlow> {
+    using T = ChannelFlow;
     static constexpr auto entries = std::tuple{
-        FieldEntry{"drive", &T::drive,
-                   "what drives the flow: a pressure drop along it, a body force, walls that move, "
-                   "or nothing",
-                   any_value, "none|pressure|body-force|shear"},
         FieldEntry{"pseudo_shear_rate",
                    &T::pseudo_shear_rate,
-                   "mean velocity / width, for pressure and body-force; this key or one of the "
-                   "next five, all of plasma alone; negative: flow to the left",
+                   "mean velocity / width; this key or one of the next five, all of plasma "
+                   "alone; negative: flow to the left",
                    shear_rates,
                    {},
                    "500 /s"},
@@ -80,13 +75,21 @@ struct FieldList<FlowCase> {
         FieldEntry{
             "hold", &T::hold,
             "what stays constant: the pressure drop that gives plasma alone this pseudo_shear_rate "
-            "(12 mu U / H^2), or the mean velocity itself, by a controller",
-            any_value, "pressure-drop|mean-velocity"},
-        FieldEntry{"start", &T::start, "the fluid at time zero: the flow without cells, or at rest",
-                   any_value, "developed|rest"},
+            "(12 mu U / H^2), or the mean velocity itself, by a controller"},
+    };
+};
+template <>
+struct FieldList<PressureDrive> : FieldList<ChannelFlow> {};
+template <>
+struct FieldList<BodyForceDrive> : FieldList<ChannelFlow> {};
+
+template <>
+struct FieldList<ShearDrive> {
+    using T = ShearDrive;
+    static constexpr auto entries = std::tuple{
         FieldEntry{"shear_rate",
                    &T::shear_rate,
-                   "k, for shear: the walls move with +- k * width / 2; negative: the other way",
+                   "k: the walls move with +- k * width / 2; negative: the other way",
                    shear_rates,
                    {},
                    "75 /s"},
@@ -96,6 +99,18 @@ struct FieldList<FlowCase> {
                    Range{1e-6, 30.0},
                    {},
                    "0.2"},
+    };
+};
+
+template <>
+struct FieldList<FlowCase> {
+    using T = FlowCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"drive", &T::drive,
+                   "what drives the flow: a pressure drop along it, a body force, walls that move, "
+                   "or nothing"},
+        FieldEntry{"start", &T::start,
+                   "the fluid at time zero: the flow without cells, or at rest"},
     };
 };
 
@@ -129,6 +144,75 @@ struct FieldList<LayerCase> {
 };
 
 template <>
+struct FieldList<EllipseShape> {
+    using T = EllipseShape;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{
+            "aspect_ratio", &T::aspect_ratio, "long / short axis", Range{1.0, 20.0}, {}, "1.5"},
+    };
+};
+
+template <>
+struct FieldList<OutlineShape> {
+    using T = OutlineShape;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"file",
+                   &T::file,
+                   "the points of the outline, x,y in um, one a line; relative to "
+                   "the case file",
+                   any_value,
+                   {},
+                   "outline.csv"},
+        FieldEntry{"pixel",
+                   &T::pixel,
+                   "the unit of its numbers, as the side of a pixel; else 1 um",
+                   Range{1e-10, 1.0},
+                   {},
+                   "0.1 um"},
+        FieldEntry{"y_down",
+                   &T::y_down,
+                   "its y counts downwards, as in images; auto: upwards",
+                   any_value,
+                   {},
+                   "true"},
+        FieldEntry{"smoothing",
+                   &T::smoothing,
+                   "rounds corners over this length along the outline (standard "
+                   "deviation of a Gaussian), as of pixels; keeps the area",
+                   Range{1e-9, 1e-4},
+                   {},
+                   "0.15 um"},
+    };
+};
+
+template <>
+struct FieldList<PaperRows> {
+    using T = PaperRows;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"perturbation",
+                   &T::perturbation,
+                   "largest random shift in x and y, which breaks the symmetry of "
+                   "the two rows",
+                   Range{0.0, 1e-3},
+                   {},
+                   "0.5 um"},
+    };
+};
+
+template <>
+struct FieldList<AtPositions> {
+    using T = AtPositions;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"positions",
+                   &T::positions,
+                   "the centre of each cell",
+                   Range{-0.1, 0.1},
+                   {},
+                   "[[\"20 um\", \"10 um\"], [\"60 um\", \"10 um\"]]"},
+    };
+};
+
+template <>
 struct FieldList<CellsCase> {
     using T = CellsCase;
     static constexpr auto entries = std::tuple{
@@ -139,56 +223,16 @@ struct FieldList<CellsCase> {
                    Range{0.0, 0.9, true, false},
                    {},
                    "38 %"},
-        FieldEntry{"shape", &T::shape, "stress-free shape", any_value,
-                   "circle|ellipse|biconcave|file"},
+        FieldEntry{"shape", &T::shape, "stress-free shape"},
         FieldEntry{"radius",
                    &T::radius,
                    "of the circle, of the circle of the same area, or R0 of the biconcave disk",
                    Range{smallest_radius, 1e-3},
                    {},
                    "4 um"},
-        FieldEntry{"aspect_ratio",
-                   &T::aspect_ratio,
-                   "of shape ellipse: long / short axis",
-                   Range{1.0, 20.0},
-                   {},
-                   "1.5"},
-        FieldEntry{"file",
-                   &T::file,
-                   "of shape file: the points of the outline, x,y in um, one a line; relative to "
-                   "the case file",
-                   any_value,
-                   {},
-                   "outline.csv"},
-        FieldEntry{"pixel",
-                   &T::pixel,
-                   "of shape file: the unit of its numbers, as the side of a pixel; else 1 um",
-                   Range{1e-10, 1.0},
-                   {},
-                   "0.1 um"},
-        FieldEntry{"y_down",
-                   &T::y_down,
-                   "of shape file: its y counts downwards, as in images; auto: upwards",
-                   any_value,
-                   {},
-                   "true"},
-        FieldEntry{"smoothing",
-                   &T::smoothing,
-                   "of shape file: rounds corners over this length along the outline (standard "
-                   "deviation of a Gaussian), as of pixels; keeps the area",
-                   Range{1e-9, 1e-4},
-                   {},
-                   "0.15 um"},
         FieldEntry{"layout", &T::layout,
                    "where they start: one in the middle, two rows as in the paper, at random, or "
-                   "at positions",
-                   any_value, "single|paper|random|explicit"},
-        FieldEntry{"positions",
-                   &T::positions,
-                   "of layout explicit: the centre of each cell",
-                   Range{-0.1, 0.1},
-                   {},
-                   "[[\"20 um\", \"10 um\"], [\"60 um\", \"10 um\"]]"},
+                   "at positions"},
         FieldEntry{"angle",
                    &T::angle,
                    "by which each is turned at the start, counter-clockwise",
@@ -201,13 +245,6 @@ struct FieldList<CellsCase> {
                    Range{1.0, 5.0},
                    {},
                    "1.5"},
-        FieldEntry{"perturbation",
-                   &T::perturbation,
-                   "of layout paper: largest random shift in x and y, which breaks the symmetry of "
-                   "the two rows",
-                   Range{0.0, 1e-3},
-                   {},
-                   "0.5 um"},
         FieldEntry{"seed", &T::seed, "of the random numbers", Range{0.0, 9e15}, {}, "1"},
         FieldEntry{"cytoplasm_viscosity",
                    &T::cytoplasm_viscosity,
@@ -222,18 +259,19 @@ template <>
 struct FieldList<HardeningCase> {
     using T = HardeningCase;
     static constexpr auto entries = std::tuple{
-        FieldEntry{"apply_to", &T::apply_to,
+        FieldEntry{"apply_to",
+                   &T::apply_to,
                    "which moduli it scales (Table 1 of the paper): [] is Case I, [\"shear\"] Case "
                    "II, all four Case III",
-                   any_value, "shear|bending|area|contact", "[\"shear\"]"},
+                   any_value,
+                   {},
+                   "[\"shear\"]"},
         FieldEntry{
             "form", &T::form,
             "of alpha(stretch), the two repairs of Eq. 12: 1 + D (e^(beta (stretch - 1)) - 1), or "
-            "1 + D (e^(stretch^beta) - e)",
-            any_value, "exponential|power-exponential"},
+            "1 + D (e^(stretch^beta) - e)"},
         FieldEntry{"compression", &T::compression,
-                   "alpha for stretch < 1: alpha(2 - stretch), 1, or Eq. 12 as printed", any_value,
-                   "symmetric|one|as-printed"},
+                   "alpha for stretch < 1: alpha(2 - stretch), 1, or Eq. 12 as printed"},
         FieldEntry{"D", &T::D, "how much it hardens", Range{0.0, 1e3}, {}, "0.55"},
         FieldEntry{"beta", &T::beta, "how steeply", Range{0.0, 200.0, true, false}, {}, "16"},
     };
@@ -243,28 +281,20 @@ template <>
 struct FieldList<MembraneCase> {
     using T = MembraneCase;
     static constexpr auto entries = std::tuple{
-        FieldEntry{"law", &T::law, "tension as a function of stretch (Eqs. 10, 11)", any_value,
-                   "neo-hookean|hookean|skalak|surface-tension"},
+        FieldEntry{"law", &T::law, "tension as a function of stretch (Eqs. 10, 11)"},
         FieldEntry{"shear_modulus",
                    &T::shear_modulus,
                    "E_s; gamma of the law surface-tension",
                    Range{1e-12, 1.0},
                    {},
                    "6e-3 dyn/cm"},
-        FieldEntry{"area_dilation_ratio",
-                   &T::area_dilation_ratio,
-                   "C of the Skalak law",
-                   Range{0.0, 1e6},
-                   {},
-                   "1"},
         FieldEntry{"bending_modulus",
                    &T::bending_modulus,
                    "E_b (Eq. 13)",
                    Range{0.0, 1e-12},
                    {},
                    "1.8e-12 dyn cm"},
-        FieldEntry{"bending", &T::bending, "curvature per current or per reference length",
-                   any_value, "current|reference"},
+        FieldEntry{"bending", &T::bending, "curvature per current or per reference length"},
         FieldEntry{"area_stiffness",
                    &T::area_stiffness,
                    "k_p (Eq. 14): pressure per relative change of area; it only fights leakage",
@@ -280,14 +310,9 @@ struct FieldList<MembraneCase> {
 };
 
 template <>
-struct FieldList<ContactCase> {
-    using T = ContactCase;
+struct FieldList<MorseContact> {
+    using T = MorseContact;
     static constexpr auto entries = std::tuple{
-        FieldEntry{"model", &T::model, "force between two cells (Eqs. 16, 17)", any_value,
-                   "none|morse"},
-        FieldEntry{"nearest", &T::nearest,
-                   "distance to the nearest node or to the nearest point of a segment", any_value,
-                   "node|segment"},
         FieldEntry{"zero_force_distance",
                    &T::zero_force_distance,
                    "r0: attraction beyond, repulsion below",
@@ -307,6 +332,16 @@ struct FieldList<ContactCase> {
                    contact_range,
                    {},
                    "2.5 um"},
+    };
+};
+
+template <>
+struct FieldList<ContactCase> {
+    using T = ContactCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"model", &T::model, "force between two cells (Eqs. 16, 17)"},
+        FieldEntry{"nearest", &T::nearest,
+                   "distance to the nearest node or to the nearest point of a segment"},
         FieldEntry{"short_range_repulsion", &T::short_range_repulsion,
                    "an extra repulsion of very small gaps; every time it acts is counted"},
         FieldEntry{"repulsion_range",
@@ -356,34 +391,31 @@ struct FieldList<NumericsCase> {
                    Range{0.2, 2.0},
                    {},
                    "0.8"},
-        FieldEntry{"collision", &T::collision, "two relaxation times, or the one of Eq. 1",
-                   any_value, "trt|bgk"},
-        FieldEntry{"magic",
-                   &T::magic,
-                   "Lambda of TRT; 3/16 puts walls exactly half-way",
-                   Range{1e-3, 10.0},
-                   {},
-                   "0.1875"},
-        FieldEntry{"equilibrium", &T::equilibrium,
+        FieldEntry{"collision", &T::collision, "two relaxation times, or the one of Eq. 1"},
+        FieldEntry{"equilibrium",
+                   &T::equilibrium,
                    "linear is Stokes flow; incompressible and full (Eq. 2) keep inertia; auto: "
                    "incompressible where the flow carries cells along, else linear",
-                   any_value, "auto|linear|incompressible|full"},
+                   any_value,
+                   {},
+                   "linear"},
         FieldEntry{"precision", &T::precision,
                    "of the lattice populations: single takes half the memory and traffic; "
                    "membranes are in double either way",
                    any_value, "double|single"},
         FieldEntry{
-            "delta", &T::delta,
+            "delta",
+            &T::delta,
             "kernel between sites and nodes (Eq. 8 is cosine4); auto: roma3, but peskin4 where "
             "the viscosities differ by more than ten times",
-            any_value, "auto|cosine4|hat2|roma3|peskin4"},
-        FieldEntry{"interior", &T::interior, "how the sites inside a cell are found", any_value,
-                   "scan-line|flood-fill"},
+            any_value,
+            {},
+            "roma3"},
+        FieldEntry{"interior", &T::interior, "how the sites inside a cell are found"},
         FieldEntry{"interface_viscosity", &T::interface_viscosity,
-                   "how viscosity changes across the membrane", any_value,
-                   "sharp|smoothed|area-fraction"},
+                   "how viscosity changes across the membrane"},
         FieldEntry{"viscosity_mean", &T::viscosity_mean,
-                   "viscosity of a site that holds both fluids", any_value, "harmonic|arithmetic"},
+                   "viscosity of a site that holds both fluids"},
         FieldEntry{"jump_correction",
                    &T::jump_correction,
                    "take off the first-order slip and velocity error that smearing a membrane "
@@ -392,12 +424,6 @@ struct FieldList<NumericsCase> {
                    any_value,
                    {},
                    "true"},
-        FieldEntry{"smoothing_width",
-                   &T::smoothing_width,
-                   "half width of that change, in sites",
-                   Range{0.5, 5.0},
-                   {},
-                   "2"},
         FieldEntry{"fluid_only", &T::fluid_only, "leave the cells out: the plain channel"},
     };
 };

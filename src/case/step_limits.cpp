@@ -49,9 +49,8 @@ public:
             fmt::format("{} <= {:.2g} (physical: {:.2g}): inertia", number, limit, physical));
     }
 
-    void add_flow_reynolds(const std::string& equilibrium) {
-        add_reynolds(flow_.shear_rate.si,
-                     reynolds_of_one_percent(carries_cells(case_), equilibrium != "linear"),
+    void add_flow_reynolds(bool inertia) {
+        add_reynolds(flow_.shear_rate.si, reynolds_of_one_percent(carries_cells(case_), inertia),
                      "cell Reynolds number S rho k a^2 / mu");
     }
 
@@ -138,14 +137,12 @@ private:
 Length equivalent_radius(const Case& c) {
     // The biconcave cell is named by its half length R₀; its area is 0.8916 R₀² (13.63 µm² at R₀
     // = 3.91 µm).
-    if (c.cells.shape == "biconcave")
+    if (std::holds_alternative<BiconcaveShape>(c.cells.shape))
         return Length{c.cells.radius.si * std::sqrt(0.8916 / std::numbers::pi)};
     return c.cells.radius;
 }
 
-bool carries_cells(const Case& c) {
-    return c.flow.drive != "shear" && c.flow.drive != "none" && !c.numerics.fluid_only;
-}
+bool carries_cells(const Case& c) { return c.flow.channel() && !c.numerics.fluid_only; }
 
 double expected_stretch(const Case& c, const Undisturbed& flow, const Membrane& membrane) {
     if (c.numerics.fluid_only) return 1.0;
@@ -161,14 +158,16 @@ double stretch_of_hardened(const Membrane& membrane, double expected_stretch) {
 }
 
 std::vector<StepLimit> step_limits(const Case& c, const Undisturbed& flow,
-                                   const std::string& equilibrium, Length dx, double tau,
+                                   const Equilibrium& equilibrium, Length dx, double tau,
                                    double stretch, const Membrane& membrane) {
     Limits limits(c, flow, dx, tau);
     const bool moves = flow.shear_rate.si > 0.0, cells = !c.numerics.fluid_only;
-    if (moves && cells) limits.add_flow_reynolds(equilibrium);
+    if (moves && cells)
+        limits.add_flow_reynolds(!std::holds_alternative<LinearEquilibrium>(equilibrium));
     if (!moves && cells) limits.add_relaxation_reynolds();
     if (moves && carries_cells(c)) limits.add_delay();
-    if (moves && cells && c.flow.drive == "pressure" && equilibrium == "full")
+    if (moves && cells && std::holds_alternative<PressureDrive>(c.flow.drive) &&
+        std::holds_alternative<FullEquilibrium>(equilibrium))
         limits.add_density_drop();
     if (moves) limits.add_mach();
     if (cells) limits.add_tension(membrane, stretch);

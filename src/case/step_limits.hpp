@@ -63,7 +63,7 @@ double stretch_of_hardened(const Membrane& membrane, double expected_stretch);
 /// tightest first. Limits of accuracy are proportional to numerics.step_tolerance, by the changes
 /// measured in studies/time-step; limits of stability are not. At fixed τ, Δt ∝ S.
 std::vector<StepLimit> step_limits(const Case& c, const Undisturbed& flow,
-                                   const std::string& equilibrium, Length dx, double tau,
+                                   const Equilibrium& equilibrium, Length dx, double tau,
                                    double stretch, const Membrane& membrane);
 
 }  // namespace tt

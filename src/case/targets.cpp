@@ -214,10 +214,12 @@ void TargetsReader::check_condition(const Case& c, const Spot& spot) {
         tell(spot,
              "nothing hardens in this case, so D and beta mean nothing; write "
              "set = [\"membrane.hardening.apply_to=[shear, bending, area, contact]\"]");
-    const bool random = c.cells.layout == "paper" || c.cells.layout == "random";
+    const bool random = std::holds_alternative<PaperRows>(c.cells.layout) ||
+                        std::holds_alternative<AtRandom>(c.cells.layout);
     if (!text_.search.seeds.empty() && !random)
         tell(root_.under("search").under("seeds"),
-             fmt::format("layout = \"{}\" uses no random numbers; take seeds out", c.cells.layout));
+             fmt::format("layout = \"{}\" uses no random numbers; take seeds out",
+                         word_of(c.cells.layout)));
 }
 
 std::size_t TargetsReader::condition(const TargetTable& table, const Spot& spot, Targets& result) {

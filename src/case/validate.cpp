@@ -13,6 +13,7 @@
 #include "case/channel_flow.hpp"
 #include "case/fit.hpp"
 #include "case/judge.hpp"
+#include "case/value_text.hpp"
 #include "membrane/in_plane/surface_tension.hpp"
 
 namespace tt {
@@ -37,9 +38,6 @@ void judge_exclusive(Judge& judge) {
 }
 
 void judge_channel(Judge& judge, const FlowCase& flow) {
-    const std::string why = fmt::format("with drive = \"{}\"", flow.drive);
-    judge.forbid("flow.shear_rate", why);
-    judge.forbid("flow.shear_number", why);
     const auto given = [&](std::string_view key) {
         return judge.given(fmt::format("flow.{}", key));
     };
@@ -47,10 +45,10 @@ void judge_channel(Judge& judge, const FlowCase& flow) {
         judge.tell(
             {"flow.drive"},
             fmt::format("drive = \"{}\" needs pseudo_shear_rate = \"500 /s\", or one of {}",
-                        flow.drive,
+                        word_of(flow.drive),
                         fmt::join(channel_flow_keys.begin() + 1, channel_flow_keys.end(), ", ")));
-    if (flow.hold == "mean-velocity" && !given("pseudo_shear_rate") && !given("mean_velocity") &&
-        !given("flow_rate"))
+    if (flow.channel()->hold == Hold::mean_velocity && !given("pseudo_shear_rate") &&
+        !given("mean_velocity") && !given("flow_rate"))
         judge.tell({"flow.hold"},
                    "hold = \"mean-velocity\" needs pseudo_shear_rate, mean_velocity or flow_rate: "
                    "what to hold");
@@ -58,85 +56,69 @@ void judge_channel(Judge& judge, const FlowCase& flow) {
 
 void judge_flow(Judge& judge, const Case& c) {
     const FlowCase& flow = c.flow;
-    if (flow.drive == "pressure" || flow.drive == "body-force") judge_channel(judge, flow);
-    if (flow.drive == "shear" || flow.drive == "none") {
-        const std::string why = fmt::format("with drive = \"{}\"", flow.drive);
-        for (const std::string_view key : channel_flow_keys)
-            judge.forbid(fmt::format("flow.{}", key), why);
-    }
-    if (flow.drive == "none") {
-        judge.forbid("flow.shear_rate", "with drive = \"none\"");
-        judge.forbid("flow.shear_number", "with drive = \"none\"");
-    }
-    if (flow.drive == "shear" && !judge.given("flow.shear_rate") &&
-        !judge.given("flow.shear_number"))
+    if (flow.channel()) judge_channel(judge, flow);
+    if (flow.shear() && !judge.given("flow.shear_rate") && !judge.given("flow.shear_number"))
         judge.tell({"flow.drive"},
                    "drive = \"shear\" needs shear_rate = \"75 /s\" or shear_number = 0.2");
-    if (flow.drive != "none" && c.domain.sides == "periodic")
+    if (!std::holds_alternative<NoDrive>(flow.drive) && c.domain.sides == Sides::periodic)
         judge.tell(
             {"domain.sides"},
             fmt::format("drive = \"{}\" needs walls; write sides = \"walls\" or drive = \"none\"",
-                        flow.drive));
+                        word_of(flow.drive)));
     if (judge.given("flow.shear_number") && c.numerics.fluid_only)
         judge.tell({"flow.shear_number"},
                    "shear_number is built on the cells, and there are none; write shear_rate");
 }
 
-void judge_layout(Judge& judge, const Case& c) {
-    const CellsCase& cells = c.cells;
-    const bool numbered = judge.given("cells.count") || judge.given("cells.hematocrit");
-    if ((cells.layout == "paper" || cells.layout == "random") && !numbered)
-        judge.tell(
-            {"cells.layout"},
-            fmt::format("layout = \"{}\" needs count = 12 or hematocrit = \"38 %\"", cells.layout));
-    if (cells.layout == "single" && cells.count.value_or(1) > 1)
-        judge.tell({"cells.count"},
-                   "layout = \"single\" is one cell; write layout = \"paper\" or \"random\"");
-    if (cells.layout == "single" || cells.layout == "explicit")
-        judge.forbid("cells.hematocrit", fmt::format("with layout = \"{}\"", cells.layout));
-    if (cells.layout == "paper" && cells.count.value_or(2) % 2 != 0)
-        judge.tell({"cells.count"},
-                   fmt::format("layout = \"paper\" is two equal rows; write count = {}",
-                               *cells.count + 1));
-    if (cells.layout == "explicit" && cells.positions.empty())
+void judge_positions_given(Judge& judge, const Case& c, const AtPositions& layout) {
+    if (layout.positions.empty())
         judge.tell(
             {"cells.layout"},
             fmt::format("layout = \"explicit\" needs the centre of each cell; write positions "
                         "= [[\"{}\", \"{}\"]]",
                         to_text(Length{0.5 * c.domain.length.si}),
                         to_text(Length{0.5 * c.domain.width.si})));
-    if (cells.layout != "explicit" && !cells.positions.empty())
-        judge.forbid("cells.positions", fmt::format("with layout = \"{}\"", cells.layout));
-    for (const auto& position : cells.positions)
+    for (const auto& position : layout.positions)
         if (position.size() != 2) {
             judge.tell({"cells.positions"},
                        "each of positions is a pair, as in [[\"20 um\", \"10 um\"]]");
             break;
         }
-    if (cells.layout == "explicit" && cells.count && !cells.positions.empty() &&
-        *cells.count != static_cast<std::int64_t>(cells.positions.size()))
+    if (c.cells.count && !layout.positions.empty() &&
+        *c.cells.count != static_cast<std::int64_t>(layout.positions.size()))
         judge.tell({"cells.count"},
                    fmt::format("count = {}, but there are {} positions; leave count out",
-                               *cells.count, cells.positions.size()));
+                               *c.cells.count, layout.positions.size()));
+}
+
+void judge_layout(Judge& judge, const Case& c) {
+    const CellsCase& cells = c.cells;
+    const bool single = std::holds_alternative<SingleCell>(cells.layout);
+    const auto* positions = std::get_if<AtPositions>(&cells.layout);
+    if (single || positions)
+        judge.forbid("cells.hematocrit",
+                     fmt::format("with layout = \"{}\"", word_of(cells.layout)));
+    else if (!judge.given("cells.count") && !judge.given("cells.hematocrit"))
+        judge.tell({"cells.layout"},
+                   fmt::format("layout = \"{}\" needs count = 12 or hematocrit = \"38 %\"",
+                               word_of(cells.layout)));
+    if (single && cells.count.value_or(1) > 1)
+        judge.tell({"cells.count"},
+                   "layout = \"single\" is one cell; write layout = \"paper\" or \"random\"");
+    if (std::holds_alternative<PaperRows>(cells.layout) && cells.count.value_or(2) % 2 != 0)
+        judge.tell({"cells.count"},
+                   fmt::format("layout = \"paper\" is two equal rows; write count = {}",
+                               *cells.count + 1));
+    if (positions) judge_positions_given(judge, c, *positions);
 }
 
 void judge_cells(Judge& judge, const Case& c) {
-    const CellsCase& cells = c.cells;
     if (c.numerics.fluid_only) return;
     if (!judge.given_any("cells."))
         return judge.tell({},
                           "there is no [cells]; write one, or fluid_only = true in [numerics] for "
                           "a plain channel");
     judge_layout(judge, c);
-    const std::string why = fmt::format("with shape = \"{}\"", cells.shape);
-    if (cells.shape != "ellipse") judge.forbid("cells.aspect_ratio", why);
-    if (cells.shape != "file")
-        for (const char* key : {"cells.file", "cells.pixel", "cells.y_down", "cells.smoothing"})
-            judge.forbid(key, why);
-    if (cells.shape == "ellipse" && !judge.given("cells.aspect_ratio"))
-        judge.tell({"cells.shape"}, "shape = \"ellipse\" needs aspect_ratio = 1.5");
-    if (cells.shape == "file" && !judge.given("cells.file"))
-        judge.tell({"cells.shape"}, "shape = \"file\" needs file = \"outline.csv\"");
 }
 
 void judge_numerics(Judge& judge) {
@@ -153,8 +135,8 @@ void judge_numerics(Judge& judge) {
 /// Whether the outline of a file has the size of a cell. In another unit than it is read in it is
 /// far too large, and would be made of any number of nodes, or far too small.
 bool judge_outline(Judge& judge, const Case& c) {
-    if (!c.cells.outline) return true;
-    const OutlineMeasures m = measures_of(*c.cells.outline);
+    if (!c.cells.outline()) return true;
+    const OutlineMeasures m = measures_of(*c.cells.outline());
     const std::string size = fmt::format("the outline is {} by {}", rounded_text(Length{m.width}),
                                          rounded_text(Length{m.height}));
     const char* const unit =
@@ -173,16 +155,16 @@ bool judge_outline(Judge& judge, const Case& c) {
 }
 
 void judge_membrane(Judge& judge, const MembraneCase& membrane) {
-    std::vector<std::string> hardened = membrane.hardening.apply_to;
-    if (membrane.law == SurfaceTension::name && std::erase(hardened, "shear") > 0)
+    std::vector<Modality> hardened = membrane.hardening.apply_to;
+    if (std::holds_alternative<SurfaceTension>(membrane.law) &&
+        std::erase(hardened, Modality::shear) > 0)
         judge.tell({"membrane.law"},
                    fmt::format("a drop of constant surface tension does not harden: in "
-                               "[membrane.hardening] write apply_to = [\"{}\"]",
-                               fmt::join(hardened, "\", \"")));
+                               "[membrane.hardening] write apply_to = {}",
+                               value_text(hardened, {})));
 }
 
-void judge_contact(Judge& judge, const ContactCase& contact) {
-    if (contact.model == "none") return;
+void judge_contact(Judge& judge, const MorseContact& contact) {
     if (contact.energy.si > lysis_tension)
         judge.tell(
             {"contact.energy"},
@@ -205,22 +187,24 @@ std::pair<std::string, std::string> flow_times(const FlowCase& flow, double fact
         using Quantity = std::remove_cvref_t<decltype(*value)>;
         if (value) found = {key, rounded_text(Quantity{factor * value->si}, 2)};
     };
-    look("pseudo_shear_rate", flow.pseudo_shear_rate);
-    look("mean_velocity", flow.mean_velocity);
-    look("largest_velocity", flow.largest_velocity);
-    look("flow_rate", flow.flow_rate);
-    look("wall_stress", flow.wall_stress);
-    look("pressure_gradient", flow.pressure_gradient);
-    look("shear_rate", flow.shear_rate);
+    if (const ChannelFlow* channel = flow.channel()) {
+        look("pseudo_shear_rate", channel->pseudo_shear_rate);
+        look("mean_velocity", channel->mean_velocity);
+        look("largest_velocity", channel->largest_velocity);
+        look("flow_rate", channel->flow_rate);
+        look("wall_stress", channel->wall_stress);
+        look("pressure_gradient", channel->pressure_gradient);
+    }
+    if (flow.shear()) look("shear_rate", flow.shear()->shear_rate);
     return found;
 }
 
 /// Every flow is asked for by a number of its own; here all are held against one range.
 void judge_rate(Judge& judge, const Case& c) {
     constexpr double slowest = 1e-6, fastest = 1e6;
-    const bool shear = c.flow.drive == "shear";
-    if (c.flow.drive == "none" || (shear && !c.flow.shear_rate)) return;
-    const double rate = std::abs((shear ? *c.flow.shear_rate : pseudo_shear_rate(c)).si);
+    const ShearDrive* shear = c.flow.shear();
+    if (std::holds_alternative<NoDrive>(c.flow.drive) || (shear && !shear->shear_rate)) return;
+    const double rate = std::abs((shear ? *shear->shear_rate : pseudo_shear_rate(c)).si);
     if (rate >= slowest && rate <= fastest) return;
     const auto [key, value] =
         flow_times(c.flow, (rate < slowest ? 1.1 * slowest : 0.9 * fastest) / rate);
@@ -337,7 +321,7 @@ std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
                         to_text(*c.layer.thickness), to_text(c.domain.width),
                         rounded_text(Length{0.5 * c.domain.width.si})));
     judge_membrane(judge, c.membrane);
-    judge_contact(judge, c.contact);
+    if (c.contact.morse()) judge_contact(judge, *c.contact.morse());
     judge_rate(judge, c);
     if (cells_have_size) judge_grid(judge, c);
     judge_times(judge, c);

@@ -31,6 +31,10 @@ std::string value_text(Quantity<D> value, std::string_view example) {
     if (std::isinf(value.si)) return toml_string("never");
     return toml_string(to_text(value.si, unit_of(example)));
 }
+template <Choosable T>
+std::string value_text(const T& choice, std::string_view) {
+    return toml_string(word_of(choice));
+}
 template <class T>
 std::string value_text(const std::optional<T>& value, std::string_view example) {
     return value ? value_text(*value, example) : std::string{};

@@ -21,6 +21,13 @@ void write_table(const S& table, const std::string& path, std::string& text) {
                                          : fmt::format("{} = {}", field.key, written);
             text += fmt::format("{:<42} # {}\n", line, field.meaning);
         }
+        if constexpr (has_keys<T>)
+            std::visit(
+                [&](const auto& chosen) {
+                    if constexpr (Fielded<std::remove_cvref_t<decltype(chosen)>>)
+                        write_table(chosen, path, text);
+                },
+                value);
     });
     for_each_field<S>([&](const auto& field) {
         const auto& value = table.*field.member;
@@ -44,6 +51,13 @@ void write_lines(const S& table, const std::string& path, std::string& text) {
             const std::string written = value_text(value, field.example);
             text += fmt::format("{} = {}\n", key, written.empty() ? "auto" : written);
         }
+        if constexpr (has_keys<std::remove_cvref_t<decltype(value)>>)
+            std::visit(
+                [&](const auto& chosen) {
+                    if constexpr (Fielded<std::remove_cvref_t<decltype(chosen)>>)
+                        write_lines(chosen, path, text);
+                },
+                value);
     });
 }
 

@@ -14,6 +14,7 @@ struct ArithmeticMean {
     TT_INLINE double operator()(double plasma, double cytoplasm, double fraction) const {
         return plasma + (cytoplasm - plasma) * fraction;
     }
+    friend bool operator==(const ArithmeticMean&, const ArithmeticMean&) = default;
 };
 
 /// 1/ν is averaged: layers in series, the mean shear rate at given shear stress, as across a
@@ -23,6 +24,7 @@ struct HarmonicMean {
     TT_INLINE double operator()(double plasma, double cytoplasm, double fraction) const {
         return plasma * cytoplasm / (cytoplasm + (plasma - cytoplasm) * fraction);
     }
+    friend bool operator==(const HarmonicMean&, const HarmonicMean&) = default;
 };
 
 using ViscosityMean = std::variant<ArithmeticMean, HarmonicMean>;

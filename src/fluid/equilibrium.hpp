@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <variant>
 
 #include "base/vec2.hpp"
@@ -9,14 +10,24 @@ namespace tt {
 
 /// f_i^eq = w_i [ δρ + 3 u·c_i ]: Stokes flow. No u² terms, no u·F terms; with it the Reynolds
 /// number may be raised without the advection term ever appearing.
-struct LinearEquilibrium {};
+struct LinearEquilibrium {
+    static constexpr std::string_view name = "linear";
+    friend bool operator==(const LinearEquilibrium&, const LinearEquilibrium&) = default;
+};
 
 /// f_i^eq = w_i [ δρ + 3 u·c_i + 9/2 (u·c_i)² − 3/2 u² ] (He and Luo 1997): Navier–Stokes, momentum
 /// ρ₀u with ρ₀ = 1.
-struct IncompressibleEquilibrium {};
+struct IncompressibleEquilibrium {
+    static constexpr std::string_view name = "incompressible";
+    friend bool operator==(const IncompressibleEquilibrium&,
+                           const IncompressibleEquilibrium&) = default;
+};
 
 /// f_i^eq = w_i ρ [ 1 + 3 u·c_i + 9/2 (u·c_i)² − 3/2 u² ]: Eq. 2 of the paper; one division more.
-struct FullEquilibrium {};
+struct FullEquilibrium {
+    static constexpr std::string_view name = "full";
+    friend bool operator==(const FullEquilibrium&, const FullEquilibrium&) = default;
+};
 
 using Equilibrium = std::variant<LinearEquilibrium, IncompressibleEquilibrium, FullEquilibrium>;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -12,7 +13,10 @@
 
 namespace tt {
 
-struct NoContact {};
+struct NoContact {
+    static constexpr std::string_view name = "none";
+    friend bool operator==(const NoContact&, const NoContact&) = default;
+};
 using ContactLaw = std::variant<NoContact, Morse>;
 
 /// Everything between two cells, or between a cell and a wall. Lattice units.

@@ -3,12 +3,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/choice.hpp"
 #include "base/vec2.hpp"
 #include "membrane/suspension.hpp"
 
 namespace tt {
 
 enum class Nearest : std::uint8_t { node, segment };
+template <>
+inline constexpr auto words_of<Nearest> = std::to_array<std::string_view>({"node", "segment"});
 
 /// The point of an outline nearest to another point: on segment `segment` (counted from the
 /// outline's first node), at its share `along` (0: its first node). Of equally near segments the

@@ -97,7 +97,7 @@ void harden(const Hardening& hardening, const Ring& m) {
 
 /// T(λ) α (Eqs. 10, 12) of all segments.
 template <class Law>
-TT_INLINE void pull_with(const Law& law, bool hardened, const Ring& ring) {
+TT_CLONES void pull(const Law& law, bool hardened, const Ring& ring) {
     const Ring m = ring;
     const int end = m.padded();
 #pragma omp simd
@@ -107,7 +107,7 @@ TT_INLINE void pull_with(const Law& law, bool hardened, const Ring& ring) {
 
 /// m = E_b (κ − κ₀) α (Eq. 13) at each node, between two segments; turning angle by 2 tan(θ/2).
 template <class Law>
-TT_INLINE void bend_with(const Law& law, bool hardened, const Ring& ring) {
+TT_CLONES void bend(const Law& law, bool hardened, const Ring& ring) {
     const Ring m = ring;
     const int end = m.padded();
 #pragma omp simd
@@ -123,14 +123,6 @@ TT_INLINE void bend_with(const Law& law, bool hardened, const Ring& ring) {
         m.moment[k] = alpha * moment;
     }
 }
-
-// A function that the loader picks by processor cannot be a template: one line per law.
-TT_CLONES void pull(const NeoHookean& law, bool h, const Ring& m) { pull_with(law, h, m); }
-TT_CLONES void pull(const Hookean& law, bool h, const Ring& m) { pull_with(law, h, m); }
-TT_CLONES void pull(const Skalak& law, bool h, const Ring& m) { pull_with(law, h, m); }
-TT_CLONES void pull(const SurfaceTension& law, bool h, const Ring& m) { pull_with(law, h, m); }
-TT_CLONES void bend(const CurrentCurvature& law, bool h, const Ring& m) { bend_with(law, h, m); }
-TT_CLONES void bend(const ReferenceCurvature& law, bool h, const Ring& m) { bend_with(law, h, m); }
 
 /// Stress resultants T t + q n of all segments, with the transverse shear q = (m_next − m_k)/l.
 TT_CLONES void load_segments(const Ring& ring) {

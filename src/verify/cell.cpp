@@ -25,14 +25,13 @@ Case capsule_case(int viscosity_ratio) {
     Case c;
     c.name = "capsule in shear";
     c.domain = {Length{160e-6}, Length{40e-6}};
-    c.flow.drive = "shear";
-    c.flow.shear_number = 0.2;
+    c.flow.drive = ShearDrive{{}, 0.2};
     c.cells.count = 1;
     c.cells.radius = Length{4e-6};
     c.cells.cytoplasm_viscosity.si = viscosity_ratio * c.plasma.viscosity.si;
     c.membrane.bending_modulus.si = 0.0019 * c.membrane.shear_modulus.si * 16e-12;
     c.membrane.hardening.apply_to.clear();
-    c.contact.model = "none";
+    c.contact.model = NoContact{};
     c.numerics.dx = Length{0.5e-6};
     c.numerics.density_scale = 250.0;
     c.time.end = Time{1.0};

@@ -12,15 +12,15 @@ namespace tt {
 /// refused, or give a closed line of finite numbers, counter-clockwise. Tells whether any was
 /// taken.
 inline bool try_as_outline(std::string_view bytes) {
-    CellsCase pixels;
+    OutlineShape pixels;
     pixels.pixel = Length{1e-7};
     pixels.y_down = true;
-    CellsCase smoothed = pixels;
+    OutlineShape smoothed = pixels;
     smoothed.smoothing = Length{1.5e-7};
     bool taken = false;
-    for (const CellsCase& cells : {CellsCase{}, pixels, smoothed}) {
+    for (const OutlineShape& shape : {OutlineShape{}, pixels, smoothed}) {
         try {
-            const CellOutline outline = read_outline(bytes, "outline.csv", cells);
+            const CellOutline outline = read_outline(bytes, "outline.csv", shape);
             const OutlineMeasures measures = measures_of(outline);
             if (!(measures.area > 0.0) || !std::isfinite(measures.perimeter)) __builtin_trap();
             taken = true;

@@ -18,14 +18,13 @@ namespace {
 Case biconcave_in_shear(double viscosity_ratio) {
     Case c;
     c.domain = {Length{32e-6}, Length{16e-6}};
-    c.flow.drive = "shear";
-    c.flow.shear_number = 0.1;
+    c.flow.drive = ShearDrive{{}, 0.1};
     c.cells.count = 1;
-    c.cells.shape = "biconcave";
+    c.cells.shape = BiconcaveShape{};
     c.cells.radius = Length{3.91e-6};
     c.cells.cytoplasm_viscosity.si = viscosity_ratio * c.plasma.viscosity.si;
     c.membrane.hardening.apply_to.clear();
-    c.contact.model = "none";
+    c.contact.model = NoContact{};
     c.numerics.dx = Length{0.25e-6};
     c.time.end = Time{1.0};
     return c;
@@ -59,15 +58,13 @@ TEST(BiconcaveCell, tank_treads_when_its_inside_is_thin_and_tumbles_when_it_is_t
 Case cell_in_channel(double height, double shear_modulus) {
     Case c;
     c.domain = {Length{40e-6}, Length{20e-6}};
-    c.flow.drive = "pressure";
-    c.flow.pseudo_shear_rate = Rate{200.0};
-    c.cells.layout = "explicit";
-    c.cells.positions = {{Length{20e-6}, Length{height}}};
+    c.flow.drive = PressureDrive{{.pseudo_shear_rate = Rate{200.0}}};
+    c.cells.layout = AtPositions{{{Length{20e-6}, Length{height}}}};
     c.cells.radius = Length{3e-6};
     c.cells.cytoplasm_viscosity = c.plasma.viscosity;
     c.membrane.shear_modulus = Tension{shear_modulus};
     c.membrane.hardening.apply_to.clear();
-    c.contact.model = "none";
+    c.contact.model = NoContact{};
     c.numerics.dx = Length{0.5e-6};
     c.numerics.density_scale = 10.0;
     c.time.end = Time{1.0};
@@ -96,14 +93,15 @@ TEST(CellInChannel, does_not_feel_its_own_speed_only_if_advection_is_kept_or_the
     // Without advection a density raised S times makes S ρ ∂u/∂t of every flow that is carried
     // along: inertia at the Reynolds number of the speed, not of the shear rate
     // (docs/theory/fluid.md).
-    const auto height = [](const char* equilibrium, double density_scale) {
+    const auto height = [](const Equilibrium& equilibrium, double density_scale) {
         Case c = cell_in_channel(6e-6, 6e-6);
         c.numerics.equilibrium = equilibrium;
         c.numerics.density_scale = density_scale;
         return height_after(c, 10.0);
     };
-    const double stokes = height("linear", 5.0);
-    const double linear = height("linear", 80.0), advected = height("incompressible", 80.0);
+    const double stokes = height(LinearEquilibrium{}, 5.0);
+    const double linear = height(LinearEquilibrium{}, 80.0),
+                 advected = height(IncompressibleEquilibrium{}, 80.0);
     std::printf("height after 10 ms: %.3f um at S = 5; at S = 80 %.3f um, with advection %.3f um\n",
                 stokes, linear, advected);
     EXPECT_GT(std::abs(linear - stokes), 0.2);
@@ -113,10 +111,9 @@ TEST(CellInChannel, does_not_feel_its_own_speed_only_if_advection_is_kept_or_the
 TEST(CellsInChannel, flow_out_at_a_higher_hematocrit_than_they_have_in_the_channel) {
     Case c;
     c.domain = {Length{80e-6}, Length{20e-6}};
-    c.flow.drive = "pressure";
-    c.flow.pseudo_shear_rate = Rate{500.0};
+    c.flow.drive = PressureDrive{{.pseudo_shear_rate = Rate{500.0}}};
     c.cells.count = 12;
-    c.cells.layout = "paper";
+    c.cells.layout = PaperRows{};
     c.numerics.dx = Length{0.4e-6};
     c.time.end = Time{1.0};
     Experiment channel(c);

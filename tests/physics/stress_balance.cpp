@@ -19,12 +19,11 @@ Case sheared_cell(double viscosity_ratio) {
     Case c;
     c.domain.length = Length{20e-6};
     c.domain.width = Length{16e-6};
-    c.flow.drive = "shear";
-    c.flow.shear_number = 0.1;
+    c.flow.drive = ShearDrive{{}, 0.1};
     c.cells.count = 1;
     c.cells.cytoplasm_viscosity.si = viscosity_ratio * c.plasma.viscosity.si;
     c.membrane.hardening.apply_to.clear();
-    c.contact.model = "none";
+    c.contact.model = NoContact{};
     c.numerics.dx = Length{0.5e-6};
     return c;
 }

@@ -155,7 +155,7 @@ TEST(CaseFile, overrides_follow_the_rules_of_the_file) {
         tt::parse_case(channel, "case.toml",
                        {"flow.pseudo_shear_rate=150 /s", "membrane.hardening.apply_to=[]", "name=7",
                         "numerics.dx=\"0.25 um\"", "cells.hematocrit=38 %"});
-    EXPECT_EQ(c.flow.pseudo_shear_rate->si, 150.0);
+    EXPECT_EQ(c.flow.channel()->pseudo_shear_rate->si, 150.0);
     EXPECT_TRUE(c.membrane.hardening.apply_to.empty());
     EXPECT_EQ(c.name, "7");
     EXPECT_EQ(c.numerics.dx->si, 2.5e-7);
@@ -163,7 +163,7 @@ TEST(CaseFile, overrides_follow_the_rules_of_the_file) {
     EXPECT_EQ(c.cells.hematocrit, 0.38);
     const tt::Case two =
         tt::parse_case(channel, "case.toml", {"membrane.hardening.apply_to=[shear, area]"});
-    EXPECT_EQ(two.membrane.hardening.apply_to, (std::vector<std::string>{"shear", "area"}));
+    EXPECT_EQ(two.membrane.hardening.apply_to, (std::vector{tt::Modality::shear, tt::Modality::area}));
     EXPECT_EQ(faults_of(channel, {"flow.pseudo_shear_rate=150"}),
               "--set flow.pseudo_shear_rate=150: pseudo_shear_rate = 150 has no unit; write "
               "pseudo_shear_rate = \"150 /s\"");

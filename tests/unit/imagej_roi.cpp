@@ -47,12 +47,12 @@ std::string roi_of(const std::vector<Vec2>& points, int type, unsigned options =
 TEST(ImagejRoi, is_read_in_pixels_with_y_down) {
     std::vector<Vec2> disc = circle(20.0, 100);
     for (Vec2& p : disc) p += Vec2{321.25, 95.5};
-    CellsCase cells;
+    OutlineShape shape;
     EXPECT_EQ(faults_of(roi_of(disc, 7, 128)),
               "o.csv: its numbers are pixels; write pixel = \"0.1 um\", the side of one, in "
               "[cells]");
-    cells.pixel = Length{2e-7};
-    const CellOutline parts = read_outline(roi_of(disc, 7, 128), "o.roi", cells);
+    shape.pixel = Length{2e-7};
+    const CellOutline parts = read_outline(roi_of(disc, 7, 128), "o.roi", shape);
     EXPECT_TRUE(parts.remarks.empty());
     EXPECT_EQ(parts.given, 100);
     EXPECT_NEAR(measures_of(parts).area, 4e-14 * area_of(disc), 1e-17);
@@ -60,7 +60,7 @@ TEST(ImagejRoi, is_read_in_pixels_with_y_down) {
     const std::vector<Vec2> cut{{300, 70},  {310, 70},  {330, 90},  {330, 110},
                                 {320, 110}, {310, 110}, {300, 110}, {300, 90}};
     for (const int type : {0, 8}) {
-        const CellOutline whole = read_outline(roi_of(cut, type), "o.roi", cells);
+        const CellOutline whole = read_outline(roi_of(cut, type), "o.roi", shape);
         EXPECT_NEAR(measures_of(whole).area, 4e-14 * (30 * 40 - 200), 1e-20);
         const Vec2 middle = whole.points[0];
         EXPECT_LT(std::abs(middle.x), 5e-6);
@@ -71,20 +71,20 @@ TEST(ImagejRoi, is_read_in_pixels_with_y_down) {
         }
         EXPECT_LT(right_top, left_top);  // y is turned upwards
     }
-    EXPECT_EQ(faults_of(roi_of({{300, 70}, {310, 80}, {320, 70}}, 0), cells),
+    EXPECT_EQ(faults_of(roi_of({{300, 70}, {310, 80}, {320, 70}}, 0), shape),
               "o.csv: 3 points are too few for an outline; at least 8 are needed");
     std::vector<Vec2> spur = cut;
     spur.insert(spur.begin() + 3, {{340, 90}, {330, 90}});
-    EXPECT_NE(faults_of(roi_of(spur, 0), cells).find("point 3 and point 5 are the same"),
+    EXPECT_NE(faults_of(roi_of(spur, 0), shape).find("point 3 and point 5 are the same"),
               std::string::npos);
 }
 
 TEST(ImagejRoi, without_an_outline_is_refused_by_the_name_of_its_type) {
     const std::vector<Vec2> disc = circle(20.0, 100);
-    CellsCase cells;
-    cells.pixel = Length{2e-7};
+    OutlineShape shape;
+    shape.pixel = Length{2e-7};
     const auto told = [&](const std::string& bytes, const std::string& word) {
-        EXPECT_NE(faults_of(bytes, cells).find(word), std::string::npos) << faults_of(bytes, cells);
+        EXPECT_NE(faults_of(bytes, shape).find(word), std::string::npos) << faults_of(bytes, shape);
     };
     told(roi_of(disc, 1), "type rectangle");
     told(roi_of(disc, 2), "type oval");

@@ -50,10 +50,10 @@ TEST(OutlineFile, that_runs_clockwise_is_turned_round_and_told) {
 TEST(OutlineFile, in_pixels_with_y_down_is_the_cell_as_it_is_seen) {
     // A right-angled hook, no mirror image of itself, drawn on a screen.
     const std::string hook = "0,0\n10,0\n20,0\n20,10\n20,40\n10,40\n10,10\n0,10\n";
-    CellsCase cells;
-    cells.pixel = Length{1e-7};
-    cells.y_down = true;
-    const CellOutline outline = read_outline(hook, "o.csv", cells);
+    OutlineShape shape;
+    shape.pixel = Length{1e-7};
+    shape.y_down = true;
+    const CellOutline outline = read_outline(hook, "o.csv", shape);
     EXPECT_TRUE(outline.remarks.empty());
     EXPECT_NEAR(measures_of(outline).area, 5e-12, 1e-24);
     EXPECT_NEAR(measures_of(outline).height, 4e-6, 1e-18);
@@ -154,23 +154,23 @@ TEST(OutlineFile, of_edges_of_pixels_is_told_to_be_too_long) {
         edges.push_back({static_cast<double>(-half[j + 20]), static_cast<double>(j + 1)});
         edges.push_back({static_cast<double>(-half[j + 20]), static_cast<double>(j)});
     }
-    CellsCase cells;
-    cells.pixel = Length{2e-7};
-    cells.y_down = false;
-    const CellOutline outline = read_outline(text_of(edges), "o.csv", cells);
+    OutlineShape shape;
+    shape.pixel = Length{2e-7};
+    shape.y_down = false;
+    const CellOutline outline = read_outline(text_of(edges), "o.csv", shape);
     const double area = std::numbers::pi * 16e-12, perimeter = std::numbers::pi * 8e-6;
     EXPECT_NEAR(measures_of(outline).perimeter / perimeter, 1.27, 0.01);
     EXPECT_NEAR(measures_of(outline).reduced_area, 0.62, 0.01);
     ASSERT_EQ(outline.remarks.size(), 1u);
     EXPECT_NE(outline.remarks[0].find("too long"), std::string::npos) << outline.remarks[0];
     EXPECT_NE(outline.remarks[0].find("smoothing = \"0.3 um\""), std::string::npos);
-    cells.smoothing = Length{3e-7};
-    const CellOutline smooth = read_outline(text_of(edges), "o.csv", cells);
+    shape.smoothing = Length{3e-7};
+    const CellOutline smooth = read_outline(text_of(edges), "o.csv", shape);
     EXPECT_TRUE(smooth.remarks.empty());
     EXPECT_NEAR(measures_of(smooth).area / area, 1.0, 0.01);
     EXPECT_NEAR(measures_of(smooth).perimeter / perimeter, 1.0, 0.02);
-    cells.smoothing = Length{3e-6};
-    EXPECT_NE(faults_of(text_of(edges), cells).find("at most"), std::string::npos);
+    shape.smoothing = Length{3e-6};
+    EXPECT_NE(faults_of(text_of(edges), shape).find("at most"), std::string::npos);
 }
 
 TEST(OutlineFile, of_a_plain_rectangle_is_no_staircase) {

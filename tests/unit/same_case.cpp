@@ -9,6 +9,7 @@
 #include "case/field_types.hpp"
 #include "case/read.hpp"
 #include "case/resolve.hpp"
+#include "base/words.hpp"
 #include "case/schema.hpp"
 
 namespace tt {
@@ -31,6 +32,11 @@ template <Dimension D>
 void change(Quantity<D>& value) {
     change(value.si);
 }
+template <Choosable T>
+void change(T& choice) {
+    const std::vector<std::string_view> words = split(all_words<T>(), '|');
+    choose_word(words.front() == word_of(choice) ? words.back() : words.front(), choice);
+}
 template <class T>
 void change(std::optional<T>& value) {
     if (!value) value.emplace();
@@ -44,6 +50,7 @@ void change(std::vector<T>& values) {
 /// Calls `see(key, changed case)` for every key of the schema, one changed at a time.
 template <class S, class Of, class See>
 void change_each(const Case& c, const std::string& path, const Of& of, const See& see) {
+    Case copy = c;
     for_each_field<S>([&](const auto& field) {
         using T = std::remove_cvref_t<decltype(std::declval<S&>().*field.member)>;
         const std::string key = path + std::string(field.key);
@@ -56,6 +63,16 @@ void change_each(const Case& c, const std::string& path, const Of& of, const See
             Case changed = c;
             change(deeper(changed));
             see(key, changed);
+        }
+        if constexpr (has_keys<T>) {
+            std::visit(
+                [&]<class A>(const A&) {
+                    const auto chosen = [&](Case& whole) -> A& {
+                        return std::get<A>(deeper(whole));
+                    };
+                    if constexpr (Fielded<A>) change_each<A>(c, path, chosen, see);
+                },
+                deeper(copy));
         }
     });
 }

@@ -49,6 +49,7 @@ struct Cosine4 {
         w[2] = 0.25 * (1.0 + sin_s);
         w[3] = 0.25 * (1.0 - cos_s);
     }
+    friend bool operator==(const Cosine4&, const Cosine4&) = default;
 };
 
 }  // namespace tt

@@ -23,6 +23,7 @@ struct Hat2 {
         w[2] = s;
         w[3] = 0.0;
     }
+    friend bool operator==(const Hat2&, const Hat2&) = default;
 };
 
 }  // namespace tt

@@ -27,6 +27,7 @@ struct Peskin4 {
         w[2] = 0.125 * (1.0 + 2.0 * s + root);
         w[3] = 0.125 * (1.0 + 2.0 * s - root);
     }
+    friend bool operator==(const Peskin4&, const Peskin4&) = default;
 };
 
 }  // namespace tt

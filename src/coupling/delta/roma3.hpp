@@ -27,6 +27,7 @@ struct Roma3 {
         w[2] = (1.0 / 6.0) * (2.0 + 3.0 * d - root);
         w[3] = 0.0;
     }
+    friend bool operator==(const Roma3&, const Roma3&) = default;
 };
 
 }  // namespace tt

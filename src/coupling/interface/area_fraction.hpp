@@ -19,6 +19,7 @@ struct AreaFraction {
     }
     /// Sets the fractions of `patch` (zero before).
     static void cover(const LocalOutline& outline, Patch& patch);
+    friend bool operator==(const AreaFraction&, const AreaFraction&) = default;
 };
 
 }  // namespace tt

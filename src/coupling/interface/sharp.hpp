@@ -17,6 +17,7 @@ struct SharpInterface {
     void operator()(const Interior& interior, const LocalOutline& outline, Patch& patch) const {
         interior(outline, patch);
     }
+    friend bool operator==(const SharpInterface&, const SharpInterface&) = default;
 };
 
 }  // namespace tt

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string_view>
+#include <tuple>
 
+#include "base/field_list.hpp"
 #include "coupling/patch.hpp"
 
 namespace tt {
@@ -20,9 +22,21 @@ struct SmoothedInterface {
         smooth(outline, patch);
     }
 
+    friend bool operator==(const SmoothedInterface&, const SmoothedInterface&) = default;
+
 private:
     /// Replaces the indicator in `patch` by H.
     void smooth(const LocalOutline& outline, Patch& patch) const;
+};
+
+template <>
+struct FieldList<SmoothedInterface> {
+    static constexpr auto entries = std::tuple{FieldEntry{"smoothing_width",
+                                                          &SmoothedInterface::half_width,
+                                                          "half width of that change, in sites",
+                                                          Range{0.5, 5.0},
+                                                          {},
+                                                          "2"}};
 };
 
 }  // namespace tt

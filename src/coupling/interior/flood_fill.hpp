@@ -14,6 +14,7 @@ struct FloodFill {
     static constexpr std::string_view name = "flood-fill";
     /// Sets the sites of `patch` inside the outline to 1. Allocates.
     void operator()(const LocalOutline& outline, Patch& patch) const;
+    friend bool operator==(const FloodFill&, const FloodFill&) = default;
 };
 
 }  // namespace tt

@@ -14,6 +14,7 @@ struct ScanLine {
     static constexpr std::string_view name = "scan-line";
     /// Adds 1 to the sites of `patch` (zero before) inside the outline.
     void operator()(const LocalOutline& outline, Patch& patch) const;
+    friend bool operator==(const ScanLine&, const ScanLine&) = default;
 };
 
 }  // namespace tt

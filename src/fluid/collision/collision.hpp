@@ -1,7 +1,10 @@
 #pragma once
 
+#include <string_view>
+#include <tuple>
 #include <variant>
 
+#include "base/field_list.hpp"
 #include "base/isa.hpp"
 
 namespace tt {
@@ -14,6 +17,7 @@ struct Rates {
 /// Two relaxation times (Ginzburg 2005): (τ⁺ − ½)(τ⁻ − ½) = Λ. Λ = 3/16 puts half-way walls exactly
 /// for Poiseuille flow whatever the viscosity.
 struct Trt {
+    static constexpr std::string_view name = "trt";
     double magic = 3.0 / 16.0;
     /// 1/τ⁻ that belongs to 1/τ⁺ = even.
     double odd_rate(double even) const {
@@ -28,15 +32,29 @@ struct Trt {
         const double inverse = 1.0 / (even * odd);
         return {odd * inverse, half_step * even * inverse};
     }
+    friend bool operator==(const Trt&, const Trt&) = default;
+};
+
+template <>
+struct FieldList<Trt> {
+    static constexpr auto entries =
+        std::tuple{FieldEntry{"magic",
+                              &Trt::magic,
+                              "Lambda of TRT; 3/16 puts walls exactly half-way",
+                              Range{1e-3, 10.0},
+                              {},
+                              "0.1875"}};
 };
 
 /// One relaxation time (Eq. 1 of the paper).
 struct Bgk {
+    static constexpr std::string_view name = "bgk";
     double odd_rate(double even) const { return even; }
     TT_INLINE Rates rates(double viscosity) const {
         const double even = 1.0 / (3.0 * viscosity + 0.5);
         return {even, even};
     }
+    friend bool operator==(const Bgk&, const Bgk&) = default;
 };
 
 using Collision = std::variant<Trt, Bgk>;

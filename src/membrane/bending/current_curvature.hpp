@@ -19,6 +19,7 @@ struct CurrentCurvature {
                             double rest_curvature) const {
         return modulus * (turning / arc - rest_curvature);
     }
+    friend bool operator==(const CurrentCurvature&, const CurrentCurvature&) = default;
 };
 
 }  // namespace tt

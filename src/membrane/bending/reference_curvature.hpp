@@ -16,6 +16,7 @@ struct ReferenceCurvature {
                             double rest_curvature) const {
         return modulus * (turning / rest_arc - rest_curvature);
     }
+    friend bool operator==(const ReferenceCurvature&, const ReferenceCurvature&) = default;
 };
 
 }  // namespace tt

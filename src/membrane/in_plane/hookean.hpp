@@ -16,6 +16,7 @@ struct Hookean {
     double energy(double stretch) const {
         return 1.5 * shear_modulus * (stretch - 1.0) * (stretch - 1.0);
     }
+    friend bool operator==(const Hookean&, const Hookean&) = default;
 };
 
 }  // namespace tt

@@ -21,6 +21,7 @@ struct NeoHookean {
     double energy(double stretch) const {
         return shear_modulus * (0.4 * std::pow(stretch, 2.5) + 2.0 / std::sqrt(stretch) - 2.4);
     }
+    friend bool operator==(const NeoHookean&, const NeoHookean&) = default;
 };
 
 }  // namespace tt

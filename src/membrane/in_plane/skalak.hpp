@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string_view>
+#include <tuple>
 
+#include "base/field_list.hpp"
 #include "base/isa.hpp"
 
 namespace tt {
@@ -23,6 +25,17 @@ struct Skalak {
         const double dilation = stretch * stretch - 1.0;
         return 0.25 * shear_modulus * (1.0 + area_dilation_ratio) * dilation * dilation;
     }
+    friend bool operator==(const Skalak&, const Skalak&) = default;
+};
+
+template <>
+struct FieldList<Skalak> {
+    static constexpr auto entries = std::tuple{FieldEntry{"area_dilation_ratio",
+                                                          &Skalak::area_dilation_ratio,
+                                                          "C of the Skalak law",
+                                                          Range{0.0, 1e6},
+                                                          {},
+                                                          "1"}};
 };
 
 }  // namespace tt

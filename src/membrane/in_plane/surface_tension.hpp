@@ -18,6 +18,7 @@ struct SurfaceTension {
 
     TT_INLINE double tension(double /*stretch*/) const { return shear_modulus; }
     double energy(double stretch) const { return shear_modulus * (stretch - 1.0); }
+    friend bool operator==(const SurfaceTension&, const SurfaceTension&) = default;
 };
 
 }  // namespace tt
