@@ -77,6 +77,9 @@ struct BodyForceDrive : ChannelFlow {
     friend bool operator==(const BodyForceDrive&, const BodyForceDrive&) = default;
 };
 
+/// Of G = μ k a / E_s (Eq. 19). Beyond, cells were seen to be torn on every grid.
+inline constexpr double largest_shear_number = 30.0;
+
 /// Walls that move.
 struct ShearDrive {
     static constexpr std::string_view name = "shear";

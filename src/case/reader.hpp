@@ -54,7 +54,8 @@ public:
                     known = true;
                     if constexpr (!choice) read_field(entry, join(path, field.key), field, value);
                 } else if constexpr (has_keys<std::remove_cvref_t<decltype(value)>>) {
-                    known = known || read_key_of_choice(entry, path, field.key, value);
+                    known = known || read_key_of_choice(entry, table.find(field.key), path,
+                                                        field.key, value);
                 }
             });
             if (!known) tell_unknown_key<S>(entry, path);
@@ -85,15 +86,21 @@ private:
     }
 
     /// A key that belongs to the alternatives of a choice. Of the one that is chosen it is read; of
-    /// another it means nothing. False if it is none.
+    /// another it means nothing, which is told unless the choice is another on the command line
+    /// than in the file. False if it is none.
     template <StructChoice V>
-    bool read_key_of_choice(const TomlEntry& entry, const std::string& path,
-                            std::string_view choice_key, V& choice) {
+    bool read_key_of_choice(const TomlEntry& entry, const TomlEntry* chosen_at,
+                            const std::string& path, std::string_view choice_key, V& choice) {
         const auto words = words_with_key<V>(entry.key);
         if (words.empty() || faulty_.contains(join(path, choice_key))) return !words.empty();
         const std::string_view word = word_of(choice);
         if (std::find(words.begin(), words.end(), word) == words.end()) {
-            if (entry.value.kind != TomlNode::Kind::string || entry.value.text != "auto")
+            const bool overruled =
+                entry.origin.empty() && chosen_at != nullptr && !chosen_at->origin.empty();
+            const bool given =
+                entry.value.kind != TomlNode::Kind::string || entry.value.text != "auto";
+            places[join(path, entry.key)] = place(entry, entry.line, entry.column);
+            if (given && !overruled)
                 tell_key(entry, fmt::format("{} means nothing with {} = \"{}\"; leave it out",
                                             entry.key, choice_key, word));
             return true;

@@ -13,6 +13,7 @@
 #include "case/channel_flow.hpp"
 #include "case/fit.hpp"
 #include "case/judge.hpp"
+#include "case/step_limits.hpp"
 #include "case/value_text.hpp"
 #include "membrane/in_plane/surface_tension.hpp"
 
@@ -22,115 +23,6 @@ namespace {
 /// Tension at which the membrane of a red cell bursts, 6.5 mN/m: the order of Evans et al. (1976),
 /// who found 10 mN/m.
 constexpr double lysis_tension = 6.5e-3;
-
-void judge_exclusive(Judge& judge) {
-    for (const Exclusive& exclusive : exclusive_keys) {
-        std::string first;
-        for (const std::string_view key : exclusive.keys) {
-            const std::string path = fmt::format("{}.{}", exclusive.table, key);
-            if (!judge.given(path)) continue;
-            if (!first.empty())
-                judge.tell({path}, fmt::format("{} and {} are both given; leave one of them out",
-                                               first, key));
-            if (first.empty()) first = key;
-        }
-    }
-}
-
-void judge_channel(Judge& judge, const FlowCase& flow) {
-    const auto given = [&](std::string_view key) {
-        return judge.given(fmt::format("flow.{}", key));
-    };
-    if (std::none_of(channel_flow_keys.begin(), channel_flow_keys.end(), given))
-        judge.tell(
-            {"flow.drive"},
-            fmt::format("drive = \"{}\" needs pseudo_shear_rate = \"500 /s\", or one of {}",
-                        word_of(flow.drive),
-                        fmt::join(channel_flow_keys.begin() + 1, channel_flow_keys.end(), ", ")));
-    if (flow.channel()->hold == Hold::mean_velocity && !given("pseudo_shear_rate") &&
-        !given("mean_velocity") && !given("flow_rate"))
-        judge.tell({"flow.hold"},
-                   "hold = \"mean-velocity\" needs pseudo_shear_rate, mean_velocity or flow_rate: "
-                   "what to hold");
-}
-
-void judge_flow(Judge& judge, const Case& c) {
-    const FlowCase& flow = c.flow;
-    if (flow.channel()) judge_channel(judge, flow);
-    if (flow.shear() && !judge.given("flow.shear_rate") && !judge.given("flow.shear_number"))
-        judge.tell({"flow.drive"},
-                   "drive = \"shear\" needs shear_rate = \"75 /s\" or shear_number = 0.2");
-    if (!std::holds_alternative<NoDrive>(flow.drive) && c.domain.sides == Sides::periodic)
-        judge.tell(
-            {"domain.sides"},
-            fmt::format("drive = \"{}\" needs walls; write sides = \"walls\" or drive = \"none\"",
-                        word_of(flow.drive)));
-    if (judge.given("flow.shear_number") && c.numerics.fluid_only)
-        judge.tell({"flow.shear_number"},
-                   "shear_number is built on the cells, and there are none; write shear_rate");
-}
-
-void judge_positions_given(Judge& judge, const Case& c, const AtPositions& layout) {
-    if (layout.positions.empty())
-        judge.tell(
-            {"cells.layout"},
-            fmt::format("layout = \"explicit\" needs the centre of each cell; write positions "
-                        "= [[\"{}\", \"{}\"]]",
-                        to_text(Length{0.5 * c.domain.length.si}),
-                        to_text(Length{0.5 * c.domain.width.si})));
-    for (const auto& position : layout.positions)
-        if (position.size() != 2) {
-            judge.tell({"cells.positions"},
-                       "each of positions is a pair, as in [[\"20 um\", \"10 um\"]]");
-            break;
-        }
-    if (c.cells.count && !layout.positions.empty() &&
-        *c.cells.count != static_cast<std::int64_t>(layout.positions.size()))
-        judge.tell({"cells.count"},
-                   fmt::format("count = {}, but there are {} positions; leave count out",
-                               *c.cells.count, layout.positions.size()));
-}
-
-void judge_layout(Judge& judge, const Case& c) {
-    const CellsCase& cells = c.cells;
-    const bool single = std::holds_alternative<SingleCell>(cells.layout);
-    const auto* positions = std::get_if<AtPositions>(&cells.layout);
-    if (single || positions)
-        judge.forbid("cells.hematocrit",
-                     fmt::format("with layout = \"{}\"", word_of(cells.layout)));
-    else if (!judge.given("cells.count") && !judge.given("cells.hematocrit"))
-        judge.tell({"cells.layout"},
-                   fmt::format("layout = \"{}\" needs count = 12 or hematocrit = \"38 %\"",
-                               word_of(cells.layout)));
-    if (single && cells.count.value_or(1) > 1)
-        judge.tell({"cells.count"},
-                   "layout = \"single\" is one cell; write layout = \"paper\" or \"random\"");
-    if (std::holds_alternative<PaperRows>(cells.layout) && cells.count.value_or(2) % 2 != 0)
-        judge.tell({"cells.count"},
-                   fmt::format("layout = \"paper\" is two equal rows; write count = {}",
-                               *cells.count + 1));
-    if (positions) judge_positions_given(judge, c, *positions);
-}
-
-void judge_cells(Judge& judge, const Case& c) {
-    if (c.numerics.fluid_only) return;
-    if (!judge.given_any("cells."))
-        return judge.tell({},
-                          "there is no [cells]; write one, or fluid_only = true in [numerics] for "
-                          "a plain channel");
-    judge_layout(judge, c);
-}
-
-void judge_numerics(Judge& judge) {
-    if (judge.given("numerics.dx") && judge.given("numerics.dt") &&
-        judge.given("numerics.relaxation_time") && judge.given("numerics.density_scale"))
-        judge.tell({"numerics.dt"},
-                   "dx, dt, relaxation_time and density_scale are tied by viscosity; give at most "
-                   "three of them");
-    if (judge.given("layer.thickness") != judge.given("layer.viscosity"))
-        judge.tell({"layer.thickness", "layer.viscosity"},
-                   "[layer] needs both thickness and viscosity");
-}
 
 /// Whether the outline of a file has the size of a cell. In another unit than it is read in it is
 /// far too large, and would be made of any number of nodes, or far too small.
@@ -217,6 +109,23 @@ void judge_rate(Judge& judge, const Case& c) {
                     to_text(fastest), key, value));
 }
 
+/// Cells in a flow that is so fast, or so viscous, for their membrane that no step and no grid
+/// keeps them whole. The same limit as of shear_number.
+void judge_shear_number(Judge& judge, const Case& c) {
+    const ShearDrive* shear = c.flow.shear();
+    if (c.numerics.fluid_only || (shear && !shear->shear_rate)) return;
+    const double rate = std::abs((shear ? *shear->shear_rate : pseudo_shear_rate(c)).si);
+    const double shear_number =
+        c.plasma.viscosity.si * rate * equivalent_radius(c).si / c.membrane.shear_modulus.si;
+    if (shear_number <= largest_shear_number) return;
+    const auto [key, value] = flow_times(c.flow, 0.9 * largest_shear_number / shear_number);
+    judge.tell(
+        {"flow." + key, "plasma.viscosity", "membrane.shear_modulus"},
+        fmt::format("G = mu k a / E_s is {:.3g}, and at most {} is possible: membranes would "
+                    "be torn; write {} = \"{}\"",
+                    shear_number, largest_shear_number, key, value));
+}
+
 bool is_whole(double count) { return std::abs(count - std::round(count)) < 1e-6 * count; }
 
 /// The spacing nearest to `dx` that divides width and length; one of two digits if there is one
@@ -297,15 +206,6 @@ void judge_times(Judge& judge, const Case& c) {
 
 }  // namespace
 
-std::vector<Fault> find_conflicts(const Case& c, const Places& places, const std::string& file) {
-    Judge judge(places, file);
-    judge_exclusive(judge);
-    judge_flow(judge, c);
-    judge_cells(judge, c);
-    judge_numerics(judge);
-    return std::move(judge.faults);
-}
-
 std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
                                         const std::string& file) {
     Judge judge(places, file);
@@ -323,6 +223,7 @@ std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
     judge_membrane(judge, c.membrane);
     if (c.contact.morse()) judge_contact(judge, *c.contact.morse());
     judge_rate(judge, c);
+    if (cells_have_size) judge_shear_number(judge, c);
     if (cells_have_size) judge_grid(judge, c);
     judge_times(judge, c);
     return std::move(judge.faults);
