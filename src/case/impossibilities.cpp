@@ -121,9 +121,10 @@ void judge_shear_number(Judge& judge, const Case& c) {
     const auto [key, value] = flow_times(c.flow, 0.9 * largest_shear_number / shear_number);
     judge.tell(
         {"flow." + key, "plasma.viscosity", "membrane.shear_modulus"},
-        fmt::format("G = mu k a / E_s is {:.3g}, and at most {} is possible: membranes would "
-                    "be torn; write {} = \"{}\"",
-                    shear_number, largest_shear_number, key, value));
+        fmt::format(
+            "G = mu k a / E_s is {:.3g}, and at most {} is possible: membranes would "
+            "be torn; look at the units of viscosity and shear_modulus, or write {} = \"{}\"",
+            shear_number, largest_shear_number, key, value));
 }
 
 bool is_whole(double count) { return std::abs(count - std::round(count)) < 1e-6 * count; }
