@@ -52,6 +52,7 @@ std::vector<Usual> numbers_of_cells(const Case& c, const Appraisal& a) {
                         Length::dimension});
         list.push_back(
             {"contact.energy", c.contact.energy.si, 0.0, 1e-4, SurfaceEnergy::dimension});
+        list.push_back({"contact.decay", c.contact.decay.si, 1e5, 1e8, InverseLength::dimension});
     }
     if (a.shear_number > 0.0)
         list.push_back({"G = mu k a / E_s", a.shear_number, 1e-3, 20.0, Dimension{}});

@@ -20,13 +20,12 @@ std::string line(std::string_view key, double value) {
     return fmt::format("# {:<24} {}\n", key, to_text(value));
 }
 
-/// Two files of one content are one input, wherever they lie.
+}  // namespace
+
 Case named_by_content(Case c) {
     if (c.cells.outline) c.cells.file = "content " + hexadecimal(checksum(c.cells.outline->bytes));
     return c;
 }
-
-}  // namespace
 
 std::vector<InputFile> inputs_of(const Case& c) {
     if (!c.cells.outline) return {};

@@ -82,6 +82,23 @@ void judge_flow(Judge& judge, const Case& c) {
                    "shear_number is built on the cells, and there are none; write shear_rate");
 }
 
+/// Cells that are laid at random lie at any angle, and fit as they are at rest.
+void judge_random(Judge& judge, const CellsCase& cells) {
+    if (cells.angle.si != 0.0)
+        judge.tell(
+            {"cells.angle"},
+            fmt::format("angle = {} means nothing with layout = \"random\", which turns each "
+                        "cell by an angle of its own; leave it out",
+                        to_text(cells.angle)));
+    if (cells.initial_stretch)
+        judge.tell(
+            {"cells.initial_stretch"},
+            fmt::format("initial_stretch = {} is not possible with layout = \"random\", which "
+                        "lays cells as they are at rest; leave it out, or write layout = "
+                        "\"explicit\"",
+                        to_text(*cells.initial_stretch)));
+}
+
 void judge_layout(Judge& judge, const Case& c) {
     const CellsCase& cells = c.cells;
     const bool numbered = judge.given("cells.count") || judge.given("cells.hematocrit");
@@ -105,6 +122,7 @@ void judge_layout(Judge& judge, const Case& c) {
                         "= [[\"{}\", \"{}\"]]",
                         to_text(Length{0.5 * c.domain.length.si}),
                         to_text(Length{0.5 * c.domain.width.si})));
+    if (cells.layout == "random") judge_random(judge, cells);
     if (cells.layout != "explicit" && !cells.positions.empty())
         judge.forbid("cells.positions", fmt::format("with layout = \"{}\"", cells.layout));
     for (const auto& position : cells.positions)
@@ -222,15 +240,16 @@ void judge_rate(Judge& judge, const Case& c) {
     if (c.flow.drive == "none" || (shear && !c.flow.shear_rate)) return;
     const double rate = std::abs((shear ? *c.flow.shear_rate : pseudo_shear_rate(c)).si);
     if (rate >= slowest && rate <= fastest) return;
-    const auto [key, value] =
-        flow_times(c.flow, (rate < slowest ? 1.1 * slowest : 0.9 * fastest) / rate);
+    const auto [key, value] = flow_times(
+        c.flow, (rate < slowest ? 1.1 * slowest : 0.9 * fastest) / std::max(rate, 1e-300));
+    const std::string write =
+        rate == 0.0 ? "drive = \"none\" and leave " + key + " out" : key + " = \"" + value + "\"";
     judge.tell(
         {"flow.pseudo_shear_rate", "flow.mean_velocity", "flow.largest_velocity", "flow.flow_rate",
          "flow.wall_stress", "flow.pressure_gradient", "flow.shear_rate"},
-        fmt::format("the flow has a {} rate of {} /s, and {} to {} /s are possible; write {} = "
-                    "\"{}\"",
+        fmt::format("the flow has a {} rate of {} /s, and {} to {} /s are possible; write {}",
                     shear ? "shear" : "pseudo-shear", to_text(rate), to_text(slowest),
-                    to_text(fastest), key, value));
+                    to_text(fastest), write));
 }
 
 bool is_whole(double count) { return std::abs(count - std::round(count)) < 1e-6 * count; }

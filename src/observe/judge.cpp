@@ -75,7 +75,7 @@ public:
             "The smallest gap between cells was {:.2g} µm, {:.2g} sites", 1e6 * worst, worst / dx);
         if (worst < dx)
             sentence += fmt::format(
-                ", below one site in {:.2g} % of the rows: the grid does not "
+                ", below one site in {:.0f} % of the rows: the grid does not "
                 "resolve such a film of plasma",
                 percent(gaps, [=](double gap) { return gap < dx; }));
         add({"gap", verdict_of(worst < dx, false), worst, dx, "m", sentence + "."});

@@ -156,6 +156,13 @@ TEST_F(GoingOn, results_whose_checkpoints_are_gone_are_not_written_over) {
     fs::remove_all(path("run") / "checkpoint");
     const std::string series = read_file(path("run") / "series.csv");
     EXPECT_THROW(run_small(request), DirectoryInUse);
+    const std::string told = describe_status(read_status(path("run")));
+    EXPECT_NE(told.find("its checkpoint is gone"), std::string::npos) << told;
+    EXPECT_EQ(told.find("run again"), std::string::npos) << told;
+    for (const char* name : {"status.json", "PROVENANCE.json"}) {
+        fs::remove(path("run") / name);
+        EXPECT_THROW(run_small(request), DirectoryInUse) << name;
+    }
     EXPECT_EQ(read_file(path("run") / "series.csv"), series);
 }
 
