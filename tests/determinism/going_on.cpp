@@ -93,6 +93,15 @@ TEST_F(GoingOn, a_finished_run_made_longer_ends_like_one_that_was_as_long_from_t
     EXPECT_THROW(run_small(longer_request(path("longer"), 1007)), DirectoryInUse);
 }
 
+TEST_F(GoingOn, the_summary_of_a_shorter_run_does_not_outlive_it) {
+    run_small(longer_request(path("run"), 1007));
+    RunRequest longer = longer_request(path("run"), 2011);
+    longer.until = Time{1500 * small_model().scales.time};
+    EXPECT_EQ(run_small(longer).ending, RunOutcome::Ending::stopped);
+    EXPECT_FALSE(fs::exists(path("run") / "summary.json"));
+    EXPECT_EQ(read_status(path("run")).at("status"), "stopped");
+}
+
 TEST_F(GoingOn, another_cadence_and_another_name_hold_from_there_on) {
     RunRequest request = longer_request(path("run"), 1000);
     run_small(request);

@@ -136,6 +136,16 @@ TEST(RandomLayout, says_what_fits_where_there_is_no_room) {
     }
 }
 
+TEST(Fit, refuses_cells_that_overlap_whatever_their_shape) {
+    const std::string pair =
+        "shape = \"ellipse\"\nradius = \"2 um\"\naspect_ratio = 2\nlayout = \"explicit\"\n"
+        "positions = [[\"8 um\", \"6 um\"], [\"{} um\", \"6 um\"]]";
+    EXPECT_EQ(start_of(fmt::format(fmt::runtime(pair), "14"), "12 um").cell_count(), 2);
+    EXPECT_THROW(start_of(fmt::format(fmt::runtime(pair), "13"), "12 um"), CaseError);
+    EXPECT_THROW(start_of(fmt::format(fmt::runtime(pair), "31"), "12 um"), CaseError)
+        << "across the end of the box";
+}
+
 TEST(InitialStretch, is_along_the_axis_that_angle_turns) {
     const std::string cell = "radius = \"2 um\"\ninitial_stretch = 2.25\nangle = ";
     for (const double degrees : {0.0, 30.0, 90.0, 135.0}) {
