@@ -240,8 +240,9 @@ std::vector<RunCheck> CaseRun::finish() {
     write_record("done");
     // The last of all: where it stands, the run is finished and everything else is there.
     write_json(results_.path() / "summary.json", summary, Durability::power);
-    record_.say(fmt::format("done: {} steps in {:.1f} s: {:.3g} MLUPS, {:.3g} cell-steps/s", steps_,
-                            input.wall_seconds, input.mlups, input.cell_steps_per_second));
+    record_.say(fmt::format("done: {} steps in {:.1f} s: {:.3g} MLUPS, {} cell-steps/s", steps_,
+                            input.wall_seconds, input.mlups,
+                            rounded_text(input.cell_steps_per_second, Dimension{}, 3)));
     std::vector<RunCheck> checks = checks_from(summary["checks"]);
     record_.log(describe_checks(checks));
     return checks;
