@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include "base/error.hpp"
 #include "base/processors.hpp"
 #include "base/units.hpp"
+#include "case/resolve.hpp"
 #include "case/write.hpp"
 #include "io/checksum.hpp"
 #include "io/file.hpp"
@@ -45,16 +47,23 @@ double rounded(double value) { return parse_measure(fmt::format("{:.4g}", value)
 /// The directory of a calibration: held by one process, and only ever added to.
 class CalibrationDirectory {
 public:
-    CalibrationDirectory(const fs::path& path, const std::string& targets) : path_(path) {
+    CalibrationDirectory(const fs::path& path, const Targets& targets) : path_(path) {
         if (fs::exists(path_ / "PROVENANCE.json"))
             throw DirectoryInUse(
                 fmt::format("'{}' holds the results of a run; choose another directory with -o",
                             path_.string()));
         make_directory(path_);
         lock_.acquire(path_);
-        const fs::path given = path_ / "targets.toml";
-        if (fs::exists(given) && read_file(given) != targets) move_aside();
-        replace_file(given, targets, Durability::power);
+        std::vector<InputFile> files = targets.inputs;
+        files.push_back({"targets.toml", targets.text});
+        const auto differs = [&](const InputFile& file) {
+            return fs::exists(path_ / file.name) && read_file(path_ / file.name) != file.bytes;
+        };
+        if (std::any_of(files.begin(), files.end(), differs)) move_aside();
+        for (const InputFile& file : files) {
+            make_directory((path_ / file.name).parent_path());
+            replace_file(path_ / file.name, file.bytes, Durability::power);
+        }
     }
     const fs::path& path() const { return path_; }
     const fs::path& moved_to() const { return moved_to_; }
@@ -66,7 +75,7 @@ private:
         do moved_to_ = path_ / fmt::format("former-{}", number++);
         while (fs::exists(moved_to_));
         make_directory(moved_to_);
-        for (const char* name : {"targets.toml", "calibration.json", "figures"})
+        for (const char* name : {"targets.toml", "inputs", "calibration.json", "figures"})
             if (fs::exists(path_ / name))
                 move_into_place(path_ / name, moved_to_ / name, Durability::power);
     }
@@ -82,12 +91,12 @@ public:
         : calibration_(started(read_targets(options.path))),
           directory_(options.directory.empty() ? fs::path("results") / calibration_.targets.name
                                                : fs::path(options.directory),
-                     calibration_.targets.text),
+                     calibration_.targets),
           at_once_(options.jobs > 0 ? options.jobs : usable_processors()),
           command_line_(command_line),
           progress_(progress_mode(options.progress)) {
         if (!directory_.moved_to().empty())
-            progress_.say(fmt::format("moved the answer to other targets to '{}'",
+            progress_.say(fmt::format("moved the answer to other targets or inputs to '{}'",
                                       directory_.moved_to().string()));
     }
 
@@ -140,7 +149,8 @@ std::vector<Job> Calibrator::jobs_of(const TriedPair& pair) const {
         const std::vector<std::int64_t> own{condition.c.cells.seed};
         for (const std::int64_t seed : t.seeds.empty() ? own : t.seeds) {
             const Case c = case_at(condition, pair.D, pair.beta, seed);
-            const std::string hash = hexadecimal(checksum(key_lines(c))).substr(0, 12);
+            const std::string lines = key_lines(named_by_content(c));
+            const std::string hash = hexadecimal(checksum(lines)).substr(0, 12);
             jobs.push_back(
                 {directory_.path() / "runs" /
                      fmt::format("D{}-beta{}-{}", to_text(pair.D), to_text(pair.beta), hash),

@@ -186,6 +186,7 @@ Json to_json(const Calibration& c) {
     j["chi_squared"] = misfit(c.best().found, goals);
     j["settled"] = now.settled;
     j["seeds"] = c.targets.seeds;
+    j["inputs"] = to_json(c.targets.inputs);
     for (std::size_t k = 0; k < goals.size(); ++k) {
         const Target& target = c.targets.targets[k];
         j["targets"].push_back({{"quantity", target.quantity},

@@ -38,8 +38,13 @@ std::string bytes_text(double bytes) {
     return fmt::format("{:.1f} TB", bytes);
 }
 
+/// "170", not "1.7e+02".
+std::string plain(double number, int digits = 2) {
+    return rounded_text(number, Dimension{}, digits);
+}
+
 std::string duration_text(double seconds) {
-    if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
+    if (seconds < 100.0) return plain(seconds) + " s";
     if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
     if (seconds < 48.0 * 3600.0) return fmt::format("{:.1f} h", seconds / 3600.0);
     return fmt::format("{:.1f} days", seconds / 86400.0);
@@ -76,9 +81,9 @@ std::string start_text(const Case& c, const Choice& choice, const Appraisal& a) 
         text += fmt::format(", below zero_force_distance, {}",
                             rounded_text(Length{a.contact_distance * choice.dx.si}));
     if (c.domain.sides == Sides::walls)
-        text += fmt::format("; {:.2g} sites to a wall", a.wall_distance);
+        text += fmt::format("; {} sites to a wall", plain(a.wall_distance));
     if (a.start_stretch > 1e-6)
-        text += fmt::format("; segments stretched by up to {:.2g} %", 100.0 * a.start_stretch);
+        text += fmt::format("; segments stretched by up to {} %", plain(100.0 * a.start_stretch));
     return text;
 }
 
@@ -111,9 +116,9 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
                            to_text(c.time.end), chosen ? "set by the " + limit.name : "as given"));
     if (const double change = choice.expected_change(); change > 0.0)
         print_line("what it changes",
-                   fmt::format("D, strain, lambda_C and mu_rel by less than {:.2g} % (measured in "
+                   fmt::format("D, strain, lambda_C and mu_rel by less than {} % (measured in "
                                "studies/time-step); numerics.step_tolerance is {:.3g} %",
-                               100.0 * change, 100.0 * c.numerics.step_tolerance));
+                               plain(100.0 * change), 100.0 * c.numerics.step_tolerance));
     print_line("relaxation time",
                a.tau_cytoplasm > a.tau_plasma
                    ? fmt::format("{:.4g} in plasma, {:.4g} where it is most viscous ({})",
@@ -139,19 +144,19 @@ void print_flow(const Case& c, const Choice& choice, const Appraisal& a) {
     std::string text =
         fmt::format("{} {}, largest speed {}", shear ? "shear rate" : "pseudo-shear rate",
                     rounded_text(choice.shear_rate), rounded_text(choice.largest_speed));
-    if (a.cells > 0) text += fmt::format(", G = {:.3g}", a.shear_number);
+    if (a.cells > 0) text += fmt::format(", G = {}", plain(a.shear_number, 3));
     if (a.cells > 0)
         text += shear ? fmt::format("; k t = {:.3g} at the end", a.strained_time)
-                      : fmt::format("; {:.3g} transits of the box", a.transits);
+                      : fmt::format("; {} transits of the box", plain(a.transits, 3));
     print_line("flow", text);
     if (a.cells > 0)
         print_line("Reynolds number",
-                   fmt::format("of a cell {:.2g}, as run {:.2g}; of the channel {:.2g}",
-                               a.cell_reynolds, a.cell_reynolds_run, a.channel_reynolds));
+                   fmt::format("of a cell {}, as run {}; of the channel {}", plain(a.cell_reynolds),
+                               plain(a.cell_reynolds_run), plain(a.channel_reynolds)));
     else
         print_line("Reynolds number",
-                   fmt::format("of the channel {:.2g}, as run {:.2g}", a.channel_reynolds,
-                               choice.density_scale * a.channel_reynolds));
+                   fmt::format("of the channel {}, as run {}", plain(a.channel_reynolds),
+                               plain(choice.density_scale * a.channel_reynolds)));
 }
 
 void print_limits(const Choice& choice, const Appraisal& a) {

@@ -2,16 +2,20 @@
 #include "base/tell.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <new>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "app/verb.hpp"
@@ -60,6 +64,13 @@ void describe_program(CLI::App& app) {
     app.require_subcommand(1);
 }
 
+/// In lines of a terminal where it is read on one; a log keeps whole lines, to search in.
+int tell(std::string_view message, int code) {
+    const std::string text = fmt::format("tanktread: {}", message);
+    tell_user("{}\n", isatty(STDERR_FILENO) != 0 ? wrapped_lines(text, 79, 2) : text);
+    return code;
+}
+
 /// A first word that is no verb: told with the verb that was probably meant.
 bool is_unknown_verb(const CLI::App& app, int argc, const char* const* argv) {
     if (argc < 2 || argv[1][0] == '-') return false;
@@ -70,15 +81,17 @@ bool is_unknown_verb(const CLI::App& app, int argc, const char* const* argv) {
     for (const CLI::App* verb : shown_verbs(app)) owned.push_back(verb->get_name());
     const std::vector<std::string_view> names(owned.begin(), owned.end());
     const auto near = closest(word, names);
-    tell_user("tanktread: unknown verb '{}'; {}\n", readable(word),
-              near ? fmt::format("did you mean '{}'?", *near)
-                   : fmt::format("verbs: {}", fmt::join(names, ", ")));
+    tell(fmt::format("unknown verb '{}'; {}", readable(word),
+                     near ? fmt::format("did you mean '{}'?", *near)
+                          : fmt::format("verbs: {}", fmt::join(names, ", "))),
+         exit_code::bad_input);
     return true;
 }
 
-int tell(std::string_view message, int code) {
-    tell_user("tanktread: {}\n", message);
-    return code;
+/// A reader that has seen enough, as `head`, needs no message.
+int output_lost(int error) {
+    if (error == EPIPE) return exit_code::input_output;
+    return tell("cannot write to the standard output", exit_code::input_output);
 }
 
 }  // namespace
@@ -86,8 +99,7 @@ int tell(std::string_view message, int code) {
 int perform(const Action& action) {
     try {
         const int code = action();
-        if (std::fflush(stdout) != 0)
-            return tell("cannot write to the standard output", exit_code::input_output);
+        if (std::fflush(stdout) != 0) return output_lost(errno);
         return code;
     } catch (const CommandError& error) {
         return tell(error.what(), exit_code::bad_input);
@@ -113,6 +125,9 @@ int perform(const Action& action) {
         return tell(error.what(), exit_code::unstable);
     } catch (const std::bad_alloc&) {
         return tell("not enough memory; take a larger dx or a smaller box", exit_code::internal);
+    } catch (const std::system_error& error) {
+        if (std::ferror(stdout)) return output_lost(error.code().value());
+        return tell(fmt::format("internal error: {}", error.what()), exit_code::internal);
     } catch (const std::exception& error) {
         return tell(fmt::format("internal error: {}", error.what()), exit_code::internal);
     }
@@ -163,7 +178,12 @@ int run_command_line(int given, const char* const* words) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        if (error.get_exit_code() == 0)  // --help, --version
+            return perform([&] {
+                const int code = app.exit(error);
+                if (!std::cout.flush()) throw std::system_error(errno, std::generic_category());
+                return code;
+            });
         return tell(fmt::format("{}\nsee tanktread {}--help", error.what(),
                                 app.get_subcommands().empty()
                                     ? std::string{}

@@ -15,6 +15,7 @@
 #include "app/run_request.hpp"
 #include "app/verb.hpp"
 #include "base/units.hpp"
+#include "base/words.hpp"
 #include "case/appraise.hpp"
 #include "case/cures.hpp"
 #include "case/discretise.hpp"
@@ -66,9 +67,11 @@ int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
         case RunOutcome::Ending::was_done:
             fmt::print("{}\n", directory);
             tell_next(request,
-                      fmt::format("{} is finished, {} steps; a later time.end makes it longer, "
-                                  "--fresh begins anew and keeps it beside\n{}",
-                                  directory, outcome.steps, describe_checks(outcome.checks)));
+                      wrapped(fmt::format("{} is finished, {} steps; a later time.end makes it "
+                                          "longer, --fresh begins anew and keeps it beside",
+                                          directory, outcome.steps),
+                              79, 2) +
+                          '\n' + describe_checks(outcome.checks));
             return exit_code::done;
         case RunOutcome::Ending::stopped:
             break;

@@ -3,6 +3,34 @@
 #include <array>
 
 namespace tt {
+namespace {
+
+struct Replacement {
+    std::uint32_t code;
+    std::string_view write;
+};
+constexpr std::array replacements{
+    Replacement{0xb2, "'^2'"},
+    Replacement{0xb3, "'^3'"},
+    Replacement{0xb7, "a space or '*'"},
+    Replacement{0x22c5, "a space or '*'"},
+    Replacement{0xd7, "'*'"},
+    Replacement{0xb0, "' deg'"},
+    Replacement{0xc5, "nm; 1 angstrom is 0.1 nm"},
+    Replacement{0x212b, "nm; 1 angstrom is 0.1 nm"},
+    Replacement{0x2212, "'-'"},
+    Replacement{0x2013, "'-'"},
+    Replacement{0x207b, "'^-1' or '/'"},
+    Replacement{0x201c, "'\"'"},
+    Replacement{0x201d, "'\"'"},
+    Replacement{0x2018, "'"},
+    Replacement{0x2019, "'"},
+    Replacement{0xa0, "a plain space"},
+    Replacement{0x202f, "a plain space"},
+    Replacement{0x2009, "a plain space"},
+};
+
+}  // namespace
 
 Letter first_letter(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -30,6 +58,12 @@ std::string readable(std::string_view text, std::size_t most) {
         text.remove_prefix(letter.bytes);
     }
     return result;
+}
+
+std::string_view instead_of(std::uint32_t code) {
+    for (const Replacement& r : replacements)
+        if (r.code == code) return r.write;
+    return {};
 }
 
 }  // namespace tt

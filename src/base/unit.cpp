@@ -80,7 +80,8 @@ constexpr std::array aliases{
     Alias{"percent", "%"},     Alias{"degree", "deg"}, Alias{"degrees", "deg"},
     Alias{"hour", "h"},        Alias{"l", "L"},        Alias{"k_BT", "kT"},
     Alias{"kbT", "kT"},        Alias{"ev", "eV"},      Alias{"Torr", "mmHg"},
-    Alias{"centipoise", "cP"},
+    Alias{"centipoise", "cP"}, Alias{"torr", "mmHg"},  Alias{"ml", "mL"},
+    Alias{"ul", "uL"},         Alias{"nl", "nL"},
 };
 
 std::uint64_t product(std::uint64_t a, std::uint64_t b) {
@@ -147,8 +148,11 @@ public:
 private:
     [[noreturn]] void tell_unexpected() const {
         const std::string_view rest = text_.substr(position_);
-        throw UnitError(fmt::format("'{}' is not expected in a unit",
-                                    readable(rest.substr(0, first_letter(rest).bytes))));
+        const Letter letter = first_letter(rest);
+        const std::string_view write = instead_of(letter.code);
+        throw UnitError(fmt::format("'{}' is not expected in a unit{}{}",
+                                    readable(rest.substr(0, letter.bytes)),
+                                    write.empty() ? "" : "; write ", write));
     }
 
     void skip_spaces() {

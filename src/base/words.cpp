@@ -88,4 +88,13 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
     return result;
 }
 
+std::string wrapped_lines(std::string_view text, std::size_t width, std::size_t indent) {
+    std::string result;
+    for (const std::string_view line : split(text, '\n')) {
+        if (!result.empty()) result += '\n';
+        result += line.size() > width ? wrapped(line, width, indent) : line;
+    }
+    return result;
+}
+
 }  // namespace tt

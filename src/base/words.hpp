@@ -23,4 +23,7 @@ std::vector<std::string_view> split(std::string_view text, char separator);
 /// after the first begin with `indent` spaces.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0);
 
+/// `text` with each of its lines that is longer than `width` wrapped.
+std::string wrapped_lines(std::string_view text, std::size_t width, std::size_t indent = 0);
+
 }  // namespace tt

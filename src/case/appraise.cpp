@@ -200,9 +200,10 @@ void advise_on_change(const Case& c, const Choice& choice, const Appraisal& a, A
         if (change < 1.01 * c.numerics.step_tolerance || limit.change == 0.0) continue;
         if (choice.density_scale <= 1.0 + 1e-9) continue;  // what it does is physics
         adviser.consider(
-            "The time step may change D, strain, lambda_C and mu_rel by {:.2g} %, by its {} ({}). "
+            "The time step may change D, strain, lambda_C and mu_rel by {} %, by its {} ({}). "
             "Write dt = \"{}\", or leave dt and density_scale out.",
-            100.0 * change, limit.name, limit.reason, rounded_text(limit.step, 2));
+            rounded_text(100.0 * change, Dimension{}, 2), limit.name, limit.reason,
+            rounded_text(limit.step, 2));
     }
     if (a.cells == 0 || a.transits == 0.0 ||
         !std::holds_alternative<LinearEquilibrium>(choice.equilibrium))

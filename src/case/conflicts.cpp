@@ -82,6 +82,23 @@ void judge_positions_given(Judge& judge, const Case& c, const AtPositions& layou
                                *c.cells.count, layout.positions.size()));
 }
 
+/// Cells that are laid at random lie at any angle, and fit as they are at rest.
+void judge_random(Judge& judge, const CellsCase& cells) {
+    if (cells.angle.si != 0.0)
+        judge.tell(
+            {"cells.angle"},
+            fmt::format("angle = {} means nothing with layout = \"random\", which turns each "
+                        "cell by an angle of its own; leave it out",
+                        to_text(cells.angle)));
+    if (cells.initial_stretch)
+        judge.tell(
+            {"cells.initial_stretch"},
+            fmt::format("initial_stretch = {} is not possible with layout = \"random\", which "
+                        "lays cells as they are at rest; leave it out, or write layout = "
+                        "\"explicit\"",
+                        to_text(*cells.initial_stretch)));
+}
+
 void judge_layout(Judge& judge, const Case& c) {
     const CellsCase& cells = c.cells;
     const bool single = std::holds_alternative<SingleCell>(cells.layout);
@@ -101,6 +118,7 @@ void judge_layout(Judge& judge, const Case& c) {
                    fmt::format("layout = \"paper\" is two equal rows; write count = {}",
                                *cells.count + 1));
     if (positions) judge_positions_given(judge, c, *positions);
+    if (std::holds_alternative<AtRandom>(cells.layout)) judge_random(judge, cells);
 }
 
 void judge_cells(Judge& judge, const Case& c) {

@@ -40,9 +40,10 @@ struct Extent {
 
 Extent extent_at(const std::vector<Vec2>& rest, const CellsCase& cells, double angle) {
     const double stretch = std::sqrt(cells.initial_stretch.value_or(1.0));
+    std::vector<Vec2> start = rest;
+    for (Vec2& p : start) p = {stretch * p.x, p.y / stretch};
     Extent extent;
-    for (const Vec2 p : placed(rest, angle, {})) {
-        const Vec2 lies{stretch * p.x, p.y / stretch};
+    for (const Vec2 lies : placed(std::move(start), angle, {})) {
         extent.low = {std::min(extent.low.x, lies.x), std::min(extent.low.y, lies.y)};
         extent.high = {std::max(extent.high.x, lies.x), std::max(extent.high.y, lies.y)};
     }

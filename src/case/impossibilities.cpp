@@ -98,15 +98,16 @@ void judge_rate(Judge& judge, const Case& c) {
     if (std::holds_alternative<NoDrive>(c.flow.drive) || (shear && !shear->shear_rate)) return;
     const double rate = std::abs((shear ? *shear->shear_rate : pseudo_shear_rate(c)).si);
     if (rate >= slowest && rate <= fastest) return;
-    const auto [key, value] =
-        flow_times(c.flow, (rate < slowest ? 1.1 * slowest : 0.9 * fastest) / rate);
+    const auto [key, value] = flow_times(
+        c.flow, (rate < slowest ? 1.1 * slowest : 0.9 * fastest) / std::max(rate, 1e-300));
+    const std::string write =
+        rate == 0.0 ? "drive = \"none\" and leave " + key + " out" : key + " = \"" + value + "\"";
     judge.tell(
         {"flow.pseudo_shear_rate", "flow.mean_velocity", "flow.largest_velocity", "flow.flow_rate",
          "flow.wall_stress", "flow.pressure_gradient", "flow.shear_rate"},
-        fmt::format("the flow has a {} rate of {} /s, and {} to {} /s are possible; write {} = "
-                    "\"{}\"",
+        fmt::format("the flow has a {} rate of {} /s, and {} to {} /s are possible; write {}",
                     shear ? "shear" : "pseudo-shear", to_text(rate), to_text(slowest),
-                    to_text(fastest), key, value));
+                    to_text(fastest), write));
 }
 
 /// Cells in a flow that is so fast, or so viscous, for their membrane that no step and no grid

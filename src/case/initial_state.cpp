@@ -100,12 +100,15 @@ std::vector<Placement> placements(const Case& c, const Model& m, const std::vect
 }
 
 /// Deforms the placed outline to an ellipse-like shape of this axis ratio at constant area, long
-/// axis along x.
-void stretch_about(Vec2 centre, double ratio, Suspension& cells, int cell) {
+/// along the axis that it is turned to.
+void stretch(const Placement& place, double ratio, Suspension& cells, int cell) {
     const double along = std::sqrt(ratio);
+    const Vec2 axis{std::cos(place.angle), std::sin(place.angle)};
     for (int n = cells.first[cell]; n < cells.first[cell + 1]; ++n) {
-        cells.x[n] = centre.x + along * (cells.x[n] - centre.x);
-        cells.y[n] = centre.y + (cells.y[n] - centre.y) / along;
+        const Vec2 from_centre = cells.position(n) - place.centre;
+        const double u = along * dot(axis, from_centre), v = cross(axis, from_centre) / along;
+        cells.x[n] = place.centre.x + u * axis.x - v * axis.y;
+        cells.y[n] = place.centre.y + u * axis.y + v * axis.x;
     }
 }
 
@@ -161,7 +164,7 @@ Suspension suspended_cells(const Case& c, const Model& m, const LayoutWatch& wat
         add_cell(cells, placed(shape, place.angle, place.centre));
         if (!place.bend.empty()) move_last_cell_to(placed(shape, place), cells);
         if (c.cells.initial_stretch)
-            stretch_about(place.centre, *c.cells.initial_stretch, cells, cells.cell_count() - 1);
+            stretch(place, *c.cells.initial_stretch, cells, cells.cell_count() - 1);
     }
     refuse_bad_placements(m, cells);
     return cells;

@@ -51,6 +51,7 @@ std::vector<Usual> numbers_of_cells(const Case& c, const Appraisal& a) {
         list.push_back({"contact.zero_force_distance", morse->zero_force_distance.si, 1e-8, 2e-6,
                         Length::dimension});
         list.push_back({"contact.energy", morse->energy.si, 0.0, 1e-4, SurfaceEnergy::dimension});
+        list.push_back({"contact.decay", morse->decay.si, 1e5, 1e8, InverseLength::dimension});
     }
     if (a.shear_number > 0.0)
         list.push_back({"G = mu k a / E_s", a.shear_number, 1e-3, 20.0, Dimension{}});

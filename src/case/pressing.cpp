@@ -10,6 +10,9 @@ namespace {
 
 /// Largest step of a cell in one visit, in reaches of the cell, and largest turn [rad].
 constexpr double longest_step = 0.1;
+/// Share of the way out of a neighbour that a cell goes in one visit. Half would do for two, as the
+/// neighbour goes too. In a crowd they hand the way on, and a longer step takes half the visits.
+constexpr double forth = 0.8;
 /// What outlines may overlap while they still grow, in thicknesses of the cell.
 constexpr double growing_overlap = 0.15;
 /// Share of the gap by which neighbours may come nearer at the end, and below which a cell stays.
@@ -151,7 +154,7 @@ bool Pressing::undisturbed(int cell) const {
     return stirred < cells_[cell].visited;
 }
 
-/// Moves a cell out of the way of its neighbours, half as far as there is to go: they do the same.
+/// Moves a cell out of the way of its neighbours.
 double Pressing::visit(int c) {
     bins_.near(c, near_);
     Cell& cell = cells_[c];
@@ -165,7 +168,7 @@ double Pressing::visit(int c) {
     std::fill(weights_.begin(), weights_.end(), 0.0);
     for (const Neighbour& other : near_) {
         find_pushes(c, other.cell, other.shift);
-        yield(c, 0.5);
+        yield(c, forth);
     }
     if (box_.walls) {
         find_wall_pushes(c);

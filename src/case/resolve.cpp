@@ -20,15 +20,14 @@ std::string line(std::string_view key, double value) {
     return fmt::format("# {:<24} {}\n", key, to_text(value));
 }
 
-/// Two files of one content are one input, wherever they lie.
+}  // namespace
+
 Case named_by_content(Case c) {
     if (const CellOutline* outline = c.cells.outline())
         std::get<OutlineShape>(c.cells.shape).file =
             "content " + hexadecimal(checksum(outline->bytes));
     return c;
 }
-
-}  // namespace
 
 std::vector<InputFile> inputs_of(const Case& c) {
     const CellOutline* outline = c.cells.outline();

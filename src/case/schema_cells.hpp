@@ -108,7 +108,8 @@ struct FieldList<CellsCase> {
                    "30 deg"},
         FieldEntry{"initial_stretch",
                    &T::initial_stretch,
-                   "start as an ellipse of this axis ratio; the stress-free shape stays",
+                   "start stretched to this axis ratio, along the axis that angle turns; the "
+                   "stress-free shape stays",
                    Range{1.0, 5.0},
                    {},
                    "1.5"},

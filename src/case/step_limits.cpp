@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/units.hpp"
 #include "membrane/stability.hpp"
 
 namespace tt {
@@ -79,8 +80,8 @@ public:
 
     void add_mach() {
         add("Mach number", auto_mach / std::sqrt(3.0) * dx_ / flow_.largest_speed.si,
-            fmt::format("largest speed {:.3g} mm/s at Mach <= {}: stability",
-                        flow_.largest_speed.si * 1e3, auto_mach));
+            fmt::format("largest speed {} at Mach <= {}: stability",
+                        rounded_text(flow_.largest_speed, 3), auto_mach));
     }
 
     void add_tension(const Membrane& membrane, double stretch) {
@@ -88,10 +89,10 @@ public:
         const double mean = 0.5 * (viscosity() + case_.cells.cytoplasm_viscosity.si);
         const double number = tension_step_number(slope, mean, half_step_ + 0.5, 1.0, dx_);
         add("membrane tension", auto_tension_step_number / number,
-            fmt::format("{}T' dt / (mu dx) <= {}: stability; T' at stretch {:.3g} is {:.3g} times "
+            fmt::format("{}T' dt / (mu dx) <= {}: stability; T' at stretch {:.3g} is {} times "
                         "that at rest",
                         half_step_ > 1.0 ? "(tau - 1/2) " : "", auto_tension_step_number, stretch,
-                        slope / tension_slope(membrane, 1.0)));
+                        rounded_text(slope / tension_slope(membrane, 1.0), Dimension{}, 3)));
     }
 
     void add_bending(const Membrane& membrane, double stretch) {

@@ -129,7 +129,9 @@ private:
     Target target(const TargetTable& table, const Spot& spot);
     void check_measure(const Spot& spot, std::string_view key, const Measure& given,
                        Dimension wanted);
+    fs::path case_path() const;
     std::size_t condition(const TargetTable& table, const Spot& spot, Targets& result);
+    std::vector<InputFile> inputs(const std::vector<Condition>& conditions) const;
     void tell_case_faults(const CaseError& error, const TargetTable& table, const Spot& spot);
     void check_condition(const Case& c, const Spot& spot);
     std::string name_of_targets();
@@ -222,11 +224,35 @@ void TargetsReader::check_condition(const Case& c, const Spot& spot) {
                          word_of(c.cells.layout)));
 }
 
+fs::path TargetsReader::case_path() const {
+    const fs::path given = (folder_ / text_.case_file).lexically_normal();
+    const fs::path copy = folder_ / "inputs" / given.filename();
+    return !fs::exists(given) && fs::exists(copy) ? copy : given;
+}
+
+/// An outline keeps its place beside the case where it has one there.
+std::vector<InputFile> TargetsReader::inputs(const std::vector<Condition>& conditions) const {
+    const fs::path path = case_path();
+    std::vector<InputFile> files{
+        {"inputs/" + path.filename().string(), read_file(path, Author::user)}};
+    for (const Condition& condition : conditions) {
+        if (!condition.c.cells.outline) continue;
+        const fs::path outline = *condition.c.cells.file;
+        const fs::path beside = outline.lexically_relative(fs::absolute(path).parent_path());
+        const bool inside = !beside.empty() && *beside.begin() != "..";
+        const std::string name = "inputs/" + (inside ? beside : outline.filename()).string();
+        const auto same = [&](const InputFile& file) { return file.name == name; };
+        if (std::none_of(files.begin(), files.end(), same))
+            files.push_back({name, condition.c.cells.outline->bytes});
+    }
+    return files;
+}
+
 std::size_t TargetsReader::condition(const TargetTable& table, const Spot& spot, Targets& result) {
     std::vector<std::string> overrides = text_.set;
     overrides.insert(overrides.end(), table.set.begin(), table.set.end());
     try {
-        const Case c = read_case((folder_ / text_.case_file).lexically_normal(), overrides);
+        const Case c = read_case(case_path(), overrides);
         check_condition(c, spot);
         for (std::size_t k = 0; k < result.conditions.size(); ++k)
             if (result.conditions[k].c == c) return k;
@@ -269,6 +295,7 @@ Targets TargetsReader::read() {
         if (!text_.case_file.empty()) next.condition = condition(text_.target[k], spot, result);
         result.targets.push_back(std::move(next));
     }
+    if (faults.empty()) result.inputs = inputs(result.conditions);
     return result;
 }
 

@@ -8,6 +8,7 @@
 #include "case/case.hpp"
 #include "fit/landscape.hpp"
 #include "fit/search.hpp"
+#include "observe/provenance.hpp"
 
 namespace tt {
 
@@ -33,12 +34,14 @@ struct Targets {
     std::vector<Target> targets;
     LogRange D, beta;
     std::vector<std::int64_t> seeds;  ///< of each condition; empty: the case's own
+    std::vector<InputFile> inputs;    ///< the case and its outlines, as the results keep them
     SearchLimits limits;
 };
 
 /// Reads a file of targets (docs/theory/calibration.md). Overrides in it are written as after --set
-/// and follow the rules of the case file. Throws CaseError with every fault of the file, and of the
-/// cases it makes; IoError if it cannot be read.
+/// and follow the rules of the case file. A case that is not where the file says is looked for in
+/// `inputs/` beside it, so that the targets of a results directory can be read again. Throws
+/// CaseError with every fault of the file, and of the cases it makes; IoError if it cannot be read.
 Targets read_targets(const std::filesystem::path& path);
 
 /// The condition with this pair and seed, ready to run. Frames at its beginning and end only: they

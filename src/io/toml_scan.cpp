@@ -12,36 +12,12 @@ namespace {
 
 constexpr std::size_t size_limit = std::size_t{1} << 20;
 
-struct Advice {
-    std::uint32_t code;
-    std::string_view write;
-};
-constexpr std::array advices{
-    Advice{0xb2, "'^2'"},
-    Advice{0xb3, "'^3'"},
-    Advice{0xb7, "a space or '*'"},
-    Advice{0x22c5, "a space or '*'"},
-    Advice{0xd7, "'*'"},
-    Advice{0xb0, "' deg'"},
-    Advice{0x2212, "'-'"},
-    Advice{0x2013, "'-'"},
-    Advice{0x207b, "'^-1' or '/'"},
-    Advice{0x201c, "'\"'"},
-    Advice{0x201d, "'\"'"},
-    Advice{0x2018, "'"},
-    Advice{0x2019, "'"},
-    Advice{0xa0, "a plain space"},
-    Advice{0x202f, "a plain space"},
-    Advice{0x2009, "a plain space"},
-};
-
 std::string refusal(const Letter& letter, std::string_view bytes) {
     if (letter.code == 0) return "this byte is not UTF-8; save the file as UTF-8";
     if (letter.code < 0x20 || letter.code == 0x7f)
         return fmt::format("control character 0x{:02x} in the text", letter.code);
-    for (const Advice& a : advices)
-        if (a.code == letter.code)
-            return fmt::format("'{}' is not ASCII; write {}", bytes, a.write);
+    if (const std::string_view write = instead_of(letter.code); !write.empty())
+        return fmt::format("'{}' is not ASCII; write {}", bytes, write);
     return fmt::format("'{}' is not ASCII; such letters may stand in comments only", bytes);
 }
 

@@ -8,22 +8,26 @@
 #include <fmt/format.h>
 
 #include "base/words.hpp"
+#include "observe/failure.hpp"
 
 namespace tt {
 namespace {
 
 namespace fs = std::filesystem;
 using Verdict = RunCheck::Verdict;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<const char*, 3> verdict_names{"ok", "warning", "failed"};
 
 double number_or_nan(const Json& object, const char* key) {
     const auto found = object.find(key);
-    return found != object.end() && found->is_number() ? found->get<double>()
-                                                       : std::numeric_limits<double>::quiet_NaN();
+    return found != object.end() && found->is_number() ? found->get<double>() : none;
 }
 
-std::vector<RunCheck> from_json(const Json& list) {
+}  // namespace
+
+std::vector<RunCheck> checks_from(const Json& list) {
     std::vector<RunCheck> checks;
+    if (!list.is_array()) return checks;
     for (const Json& json : list) {
         if (!json.is_object()) continue;
         const auto text = [&](const char* key) {
@@ -39,13 +43,11 @@ std::vector<RunCheck> from_json(const Json& list) {
     return checks;
 }
 
-}  // namespace
-
 std::vector<RunCheck> read_checks(const fs::path& results) {
     if (fs::exists(results / "summary.json")) {
         const Json summary = read_json(results / "summary.json");
-        if (const auto found = summary.find("checks"); found != summary.end() && found->is_array())
-            return from_json(*found);
+        if (const auto found = summary.find("checks"); found != summary.end())
+            return checks_from(*found);
     }
     if (!fs::exists(results / "series.csv")) return {};
     const Table series = read_csv(results / "series.csv");
@@ -55,7 +57,12 @@ std::vector<RunCheck> read_checks(const fs::path& results) {
         const double dx = number_or_nan(read_json(results / "status.json"), "dx");
         if (std::isfinite(dx)) input.dx = Length{dx};
     }
-    return series.rows() == 0 ? std::vector<RunCheck>{} : judge(series, input);
+    if (series.rows() == 0) return {};
+    std::vector<RunCheck> checks = judge(series, input);
+    if (has_failed(results))
+        checks.insert(checks.begin(), {"stability", Verdict::failed, none, none, "",
+                                       "The run blew up; failure/why.txt says why."});
+    return checks;
 }
 
 Json to_json(const std::vector<RunCheck>& checks) {

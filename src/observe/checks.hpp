@@ -44,12 +44,16 @@ struct CheckInput {
 /// row counts.
 std::vector<RunCheck> judge(const Table& series, const CheckInput& input);
 
-/// Those of a results directory: what its summary.json says, else what its rows so far say; none
-/// where there are no rows yet. Throws IoError if a file is damaged.
+/// Those of a results directory: what its summary.json says, else what its rows so far say, and
+/// `stability` of a run that blew up; none where there are no rows yet. Throws IoError if a file is
+/// damaged.
 std::vector<RunCheck> read_checks(const std::filesystem::path& results);
 
 /// `{name, verdict, value, limit, unit, sentence}`, verdict ok | warning | failed.
 Json to_json(const std::vector<RunCheck>& checks);
+
+/// The reverse; what it does not know is left out.
+std::vector<RunCheck> checks_from(const Json& list);
 
 /// For the terminal: "warning: …" or "FAILED: …" a check that is not in order, within 79 columns,
 /// the resolution last; one line that all is in order where it is. Empty without checks.

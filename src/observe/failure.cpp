@@ -64,8 +64,8 @@ void keep_states(const fs::path& results, const std::string& name, const Model& 
     archive.commit();
 }
 
-SimulationError tell_failure(const fs::path& results, const Instability& what, const Suggestion& advice,
-                             const LastGood& good, double dt) {
+SimulationError tell_failure(const fs::path& results, const Instability& what,
+                             const Suggestion& advice, const LastGood& good, double dt) {
     const fs::path folder = failure_folder(results);
     std::string text = labelled("write", advice.text()) + '\n' +
                        labelled("kept", kept_in(folder, good, dt)) + '\n' +
@@ -89,7 +89,7 @@ bool has_failed(const fs::path& results) {
 void refuse_to_repeat(const fs::path& results) {
     throw FailedBefore(fmt::format(
         "'{0}' failed before, and the same would happen again:\n{1}Go on from the last good state "
-        "with other numerics, `tanktread resume {0} --set\nKEY=VALUE`, or begin anew, with another "
+        "with other numerics, `tanktread resume {0} --set KEY=VALUE`, or begin anew, with another "
         "-o or with --fresh.",
         results.string(), read_file(failure_folder(results) / "why.txt")));
 }

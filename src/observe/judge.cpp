@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "base/units.hpp"
+
 namespace tt {
 namespace {
 
@@ -38,6 +40,11 @@ template <class Bad>
 double percent(std::span<const double> values, Bad bad) {
     const auto count = std::count_if(values.begin(), values.end(), bad);
     return 100.0 * static_cast<double>(count) / static_cast<double>(values.size());
+}
+
+/// A share in percent, to two digits: "100 %", not "1e+02 %".
+std::string percent_text(double share) {
+    return rounded_text(100.0 * share, Dimension{}, 2) + " %";
 }
 
 /// At most one of the two.
@@ -75,7 +82,7 @@ public:
             "The smallest gap between cells was {:.2g} µm, {:.2g} sites", 1e6 * worst, worst / dx);
         if (worst < dx)
             sentence += fmt::format(
-                ", below one site in {:.2g} % of the rows: the grid does not "
+                ", below one site in {:.0f} % of the rows: the grid does not "
                 "resolve such a film of plasma",
                 percent(gaps, [=](double gap) { return gap < dx; }));
         add({"gap", verdict_of(worst < dx, false), worst, dx, "m", sentence + "."});
@@ -97,8 +104,8 @@ public:
         const bool bad = worst > largest_area_error;
         add({"area", verdict_of(bad, worst > 10.0 * largest_area_error), worst, largest_area_error,
              "",
-             fmt::format("The area of every cell stayed within {:.2g} % of its own{}.",
-                         100.0 * worst,
+             fmt::format("The area of every cell stayed within {} of its own{}.",
+                         percent_text(worst),
                          bad ? ", more than 0.1 %: write hold_area = true or a finer dx" : "")});
     }
 
@@ -109,8 +116,8 @@ public:
         add({"mach", verdict_of(bad, worst > 2.0 * largest_mach), worst, largest_mach, "",
              fmt::format("The largest Mach number was {:.2g}{}.", worst,
                          bad ? fmt::format(", above {}: the lattice fluid is compressed by about "
-                                           "{:.1g} %; write a smaller dt",
-                                           largest_mach, 100.0 * worst * worst)
+                                           "{}; write a smaller dt",
+                                           largest_mach, percent_text(worst * worst))
                              : "")});
     }
 
@@ -140,9 +147,9 @@ public:
             const double off = std::abs(rate / input_.held_rate.si - 1.0);
             constexpr double limit = 0.01;
             add({"speed", verdict_of(off > limit, off > 10.0 * limit), off, limit, "",
-                 fmt::format("The mean velocity was {:.3g} mm/s, {:.2g} % from what was to be "
+                 fmt::format("The mean velocity was {:.3g} mm/s, {} from what was to be "
                              "held{}.",
-                             1e3 * mean, 100.0 * off,
+                             1e3 * mean, percent_text(off),
                              off > limit ? ": write a later average_from" : "")});
             return;
         }
@@ -152,9 +159,9 @@ public:
         const double drift = mean == 0.0 ? 0.0 : std::abs((late - early) / mean);
         constexpr double limit = 0.05;
         add({"speed", verdict_of(drift > limit, drift > 10.0 * limit), drift, limit, "",
-             fmt::format("The mean velocity was {:.3g} mm/s and changed by {:.2g} % from half to "
+             fmt::format("The mean velocity was {:.3g} mm/s and changed by {} from half to "
                          "half of the window{}.",
-                         1e3 * mean, 100.0 * drift,
+                         1e3 * mean, percent_text(drift),
                          drift > limit ? ": write a later average_from and end" : "")});
     }
 

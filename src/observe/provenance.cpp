@@ -29,6 +29,13 @@ Json lines_of(const std::string& text) {
 
 }  // namespace
 
+Json to_json(const std::vector<InputFile>& inputs) {
+    Json list = Json::array();
+    for (const InputFile& input : inputs)
+        list.push_back({{"file", input.name}, {"hash", hexadecimal(checksum(input.bytes))}});
+    return list;
+}
+
 std::string processor_name() {
     std::ifstream info("/proc/cpuinfo");
     for (std::string line; std::getline(info, line);) {
@@ -86,9 +93,6 @@ void write_provenance(const std::filesystem::path& results, const Provenance& p,
     for (const SettingChange& change : session.changes)
         entry["changes"][change.key] = Json::array({change.before, change.after});
     sessions[static_cast<std::size_t>(session.number)] = entry;
-    Json inputs = Json::array();
-    for (const InputFile& input : p.inputs)
-        inputs.push_back({{"file", input.name}, {"hash", hexadecimal(checksum(input.bytes))}});
     Json all{{"name", p.name}, {"settings", lines_of(p.settings)}};
     all.update(build);
     all.update(Json{{"processor", processor_name()},
@@ -98,7 +102,7 @@ void write_provenance(const std::filesystem::path& results, const Provenance& p,
                     {"ranks", 1},
                     {"case_toml_hash", hexadecimal(checksum(p.case_toml))},
                     {"resolved_toml_hash", hexadecimal(checksum(p.resolved_toml))},
-                    {"inputs", inputs},
+                    {"inputs", to_json(p.inputs)},
                     {"state_hash", state_hash},
                     {"sessions", sessions}});
     write_json(results / "PROVENANCE.json", all, Durability::power);

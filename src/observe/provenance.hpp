@@ -17,6 +17,9 @@ struct InputFile {
     std::string bytes;
 };
 
+/// `{file, hash}` of each.
+Json to_json(const std::vector<InputFile>& inputs);
+
 /// Where a result came from; what is not asked of the machine.
 struct Provenance {
     std::string name;

@@ -46,7 +46,7 @@ private:
     void attend_to_duties();
     void save_checkpoint(Durability durability = Durability::power);
     void keep_good();
-    void finish();
+    std::vector<RunCheck> finish();
     Suggestion advice(const Instability& what);
     SimulationError failed(const SimulationError& error);
 
@@ -58,7 +58,7 @@ private:
     void write_record(const std::string& phase) {
         record_.write(phase, state_, checkpoints_.saved_step());
     }
-    RunOutcome outcome(RunOutcome::Ending ending) const;
+    RunOutcome outcome(RunOutcome::Ending ending, std::vector<RunCheck> checks = {}) const;
 
     const RunRequest& request_;
     const Model& model_;
@@ -231,7 +231,7 @@ void CaseRun::loop() {
     }
 }
 
-void CaseRun::finish() {
+std::vector<RunCheck> CaseRun::finish() {
     observers_.finish();
     const SummaryInput input = record_.summary_input(state_, step_times_);
     Json summary = summarise(results_.path(), input);
@@ -240,9 +240,12 @@ void CaseRun::finish() {
     write_record("done");
     // The last of all: where it stands, the run is finished and everything else is there.
     write_json(results_.path() / "summary.json", summary, Durability::power);
-    record_.say(fmt::format("done: {} steps in {:.1f} s: {:.3g} MLUPS, {:.3g} cell-steps/s", steps_,
-                            input.wall_seconds, input.mlups, input.cell_steps_per_second));
-    record_.log(describe_checks(read_checks(results_.path())));
+    record_.say(fmt::format("done: {} steps in {:.1f} s: {:.3g} MLUPS, {} cell-steps/s", steps_,
+                            input.wall_seconds, input.mlups,
+                            rounded_text(input.cell_steps_per_second, Dimension{}, 3)));
+    std::vector<RunCheck> checks = checks_from(summary["checks"]);
+    record_.log(describe_checks(checks));
+    return checks;
 }
 
 /// What to write, tried if there is something to try.
@@ -273,10 +276,9 @@ SimulationError CaseRun::failed(const SimulationError& error) {
     }
 }
 
-RunOutcome CaseRun::outcome(RunOutcome::Ending ending) const {
-    RunOutcome result{ending, state_.step, steps_, state_hash(state_), record_.wall_seconds(), {}};
-    if (ending != RunOutcome::Ending::stopped) result.checks = read_checks(results_.path());
-    return result;
+RunOutcome CaseRun::outcome(RunOutcome::Ending ending, std::vector<RunCheck> checks) const {
+    return {ending,           state_.step, steps_, state_hash(state_), record_.wall_seconds(),
+            std::move(checks)};
 }
 
 RunOutcome CaseRun::run(const std::function<State()>& initial) {
@@ -290,9 +292,14 @@ RunOutcome CaseRun::run(const std::function<State()>& initial) {
             archive ? state_.step
                     : recorded_status(results_.path()).value("step", std::int64_t{-1});
         if (step == steps_ && is_finished(results_.path(), request_)) {
-            return archive ? outcome(RunOutcome::Ending::was_done)
-                           : RunOutcome{RunOutcome::Ending::was_done, steps_, steps_, 0, 0.0,
-                                        read_checks(results_.path())};
+            std::vector<RunCheck> checks = read_checks(results_.path());
+            return archive ? outcome(RunOutcome::Ending::was_done, std::move(checks))
+                           : RunOutcome{RunOutcome::Ending::was_done,
+                                        steps_,
+                                        steps_,
+                                        0,
+                                        0.0,
+                                        std::move(checks)};
         }
         if (archive) {
             resume(*archive);
@@ -312,8 +319,7 @@ RunOutcome CaseRun::run(const std::function<State()>& initial) {
                                     state_.step, steps_));
             return outcome(RunOutcome::Ending::stopped);
         }
-        finish();
-        return outcome(RunOutcome::Ending::done);
+        return outcome(RunOutcome::Ending::done, finish());
     } catch (const SimulationError& error) {
         throw failed(error);
     } catch (const IoError& error) {

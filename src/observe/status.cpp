@@ -68,6 +68,12 @@ Json read_status(const std::filesystem::path& results) {
     const bool done = phase == "done" && std::filesystem::exists(results / "summary.json");
     if (phase == "running" || (phase == "done" && !done))
         status["status"] = is_running(results) ? "running" : "interrupted";
+    const auto has = [&](const char* name) {
+        return std::filesystem::exists(results / "checkpoint" / name);
+    };
+    if (status.value("checkpoint_step", std::int64_t{-1}) >= 0 && !has("current") &&
+        !has("previous"))
+        status["checkpoint_gone"] = true;
     return status;
 }
 
@@ -97,6 +103,8 @@ std::string describe_status(const Json& status) {
         fmt::format("{}: {}\n{}\n", status.value("name", "?"), phase, progress_line(s));
     if (phase == "interrupted" || phase == "stopped") {
         const auto step = status.value("checkpoint_step", std::int64_t{-1});
+        if (status.value("checkpoint_gone", false))
+            return text + "its checkpoint is gone: it cannot go on, but report and export work\n";
         text += step > 0 ? fmt::format("run again to resume from step {}\n", step)
                          : "run again; it begins at step 0\n";
     }

@@ -49,7 +49,9 @@ void expect_nothing_to_lose(const std::filesystem::path& results, const RunReque
                             const Checkpoints& checkpoints) {
     if (const auto theirs = recorded_settings(results))
         expect_same_case(request.directory, *theirs, request.settings);
-    const bool lost = std::filesystem::exists(results / "summary.json") || checkpoints.exist() ||
+    // frames.h5 is put together at an end or a stop, when a checkpoint is on the disk.
+    const bool lost = std::filesystem::exists(results / "summary.json") ||
+                      std::filesystem::exists(results / "frames.h5") || checkpoints.exist() ||
                       recorded_status(results).value("checkpoint_step", std::int64_t{-1}) >= 0;
     if (lost)
         throw DirectoryInUse(fmt::format(

@@ -178,14 +178,13 @@ std::string number_text(double value, int digits) {
 }
 
 std::string with_scatter(double mean, double scatter) {
-    if (!std::isfinite(mean) || !std::isfinite(scatter) || scatter <= 1e-12 * std::abs(mean))
-        return number_text(mean);
+    if (!std::isfinite(mean) || !std::isfinite(scatter) || scatter <= 0.0) return number_text(mean);
     const double largest = std::max(std::abs(mean), scatter);
     const int power = static_cast<int>(std::floor(std::log10(largest)));
     const bool plain = power >= -3 && power < 5;
     const double unit = plain ? 1.0 : std::pow(10.0, power);
-    const int decimals =
-        std::clamp(1 - static_cast<int>(std::floor(std::log10(scatter / unit))), 0, 6);
+    const int decimals = std::max(1 - static_cast<int>(std::floor(std::log10(scatter / unit))), 0);
+    if (decimals > 6) return number_text(mean);  // too little to be of interest
     const std::string text = with_minus(fmt::format("{:.{}f}", mean / unit, decimals)) +
                              fmt::format(" ± {:.{}f}", scatter / unit, decimals);
     return plain ? text : fmt::format("({}){}", text, times_power_of_ten(power));

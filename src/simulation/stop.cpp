@@ -45,7 +45,9 @@ bool is_ignored(int signal) {
 }  // namespace
 
 void catch_stop_signals() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU}) {
+    // All whose default ends a process, but those of a crash and QUIT, which asks for one.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU, SIGALRM, SIGVTALRM,
+                             SIGPROF, SIGPWR}) {
         if (signal == SIGHUP && is_ignored(signal)) continue;
         struct sigaction action {};
         action.sa_handler = on_signal;

@@ -93,6 +93,15 @@ TEST_F(GoingOn, a_finished_run_made_longer_ends_like_one_that_was_as_long_from_t
     EXPECT_THROW(run_small(longer_request(path("longer"), 1007)), DirectoryInUse);
 }
 
+TEST_F(GoingOn, the_summary_of_a_shorter_run_does_not_outlive_it) {
+    run_small(longer_request(path("run"), 1007));
+    RunRequest longer = longer_request(path("run"), 2011);
+    longer.until = Time{1500 * small_model().scales.time};
+    EXPECT_EQ(run_small(longer).ending, RunOutcome::Ending::stopped);
+    EXPECT_FALSE(fs::exists(path("run") / "summary.json"));
+    EXPECT_EQ(read_status(path("run")).at("status"), "stopped");
+}
+
 TEST_F(GoingOn, another_cadence_and_another_name_hold_from_there_on) {
     RunRequest request = longer_request(path("run"), 1000);
     run_small(request);
@@ -156,6 +165,13 @@ TEST_F(GoingOn, results_whose_checkpoints_are_gone_are_not_written_over) {
     fs::remove_all(path("run") / "checkpoint");
     const std::string series = read_file(path("run") / "series.csv");
     EXPECT_THROW(run_small(request), DirectoryInUse);
+    const std::string told = describe_status(read_status(path("run")));
+    EXPECT_NE(told.find("its checkpoint is gone"), std::string::npos) << told;
+    EXPECT_EQ(told.find("run again"), std::string::npos) << told;
+    for (const char* name : {"status.json", "PROVENANCE.json"}) {
+        fs::remove(path("run") / name);
+        EXPECT_THROW(run_small(request), DirectoryInUse) << name;
+    }
     EXPECT_EQ(read_file(path("run") / "series.csv"), series);
 }
 

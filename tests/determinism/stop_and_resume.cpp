@@ -92,7 +92,8 @@ TEST_F(StopAndResume, a_signal_stops_cleanly_and_the_next_call_goes_on) {
 TEST_F(StopAndResume, signals_that_come_again_only_ask_again) {
     const pid_t child = in_a_child([] {
         catch_stop_signals();
-        for (const int signal : {SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU, SIGINT}) {
+        for (const int signal : {SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU, SIGALRM, SIGVTALRM,
+                                 SIGPROF, SIGPWR, SIGINT}) {
             for (int time = 0; time < 3; ++time) std::raise(signal);
         }
         _exit(stop_requested() ? 75 : 1);
@@ -153,6 +154,8 @@ TEST_F(StopAndResume, a_damaged_checkpoint_is_passed_over_for_the_previous_one) 
     expect_same_results(path("straight"), path("damaged"));
     EXPECT_NE(read_file(path("damaged") / "run.log").find("checksum does not match"),
               std::string::npos);
+    EXPECT_TRUE(fs::exists(path("damaged") / "checkpoint/damaged"))
+        << "else the next save makes it the previous one";
 }
 
 TEST_F(StopAndResume, without_any_sound_checkpoint_nothing_is_overwritten) {

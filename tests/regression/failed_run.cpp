@@ -86,6 +86,9 @@ TEST_F(FailedRun, ends_with_3_and_tells_once_what_where_and_what_to_write) {
     for (const char* name : {"why.txt", "failure.json", "last_good", "failing", "frames.h5"})
         EXPECT_TRUE(fs::exists(failure(name))) << name;
     EXPECT_EQ(read_json(path("o") / "status.json")["status"], "failed");
+    const std::string status = run({"status", results()}).out;
+    EXPECT_NE(status.find("FAILED: The run blew up"), std::string::npos) << status;
+    EXPECT_EQ(status.find("in order"), std::string::npos) << status;
 }
 
 TEST_F(FailedRun, is_not_repeated_by_run_and_resume) {
@@ -144,8 +147,7 @@ TEST_F(FailedRun, goes_on_with_other_numerics_from_its_last_good_state) {
     EXPECT_EQ(change["changes"]["membrane.hold_area"], (Json{"false", "true"}));
     EXPECT_NE(read_file(path("o") / "run.log").find("numerics changed at step"), std::string::npos);
     const std::string note = changes_note(read_results(path("o")));
-    EXPECT_NE(note.find("membrane.hold_area = true, before false."), std::string::npos)
-        << note;
+    EXPECT_NE(note.find("membrane.hold_area = true, before false."), std::string::npos) << note;
     EXPECT_EQ(run_verb("resume").code, 0) << "finished";
 }
 

@@ -142,6 +142,44 @@ TEST_F(Calibrate, a_directory_of_other_things_is_never_touched) {
     EXPECT_EQ(run({"calibrate", file, "-o", path("x").string(), "--progress", "loud"}).code, 2);
 }
 
+TEST_F(Calibrate, keeps_its_inputs_can_be_moved_and_knows_an_outline_that_changed) {
+    const auto outline = [&](double radius) {
+        std::string points;
+        for (int k = 0; k < 60; ++k)
+            points += fmt::format("{},{}\n", radius * std::cos(k * M_PI / 30),
+                                  radius * std::sin(k * M_PI / 30));
+        return write("in/shapes/cell.csv", points);
+    };
+    fs::create_directories(path("in/shapes"));
+    fs::copy_file(shear_case, path("in/case.toml"));
+    outline(4.0);
+    std::string text = targets(1.05, 1.15, "first_pairs = 4\nmost_pairs = 4\n");
+    text.replace(text.find(shear_case), shear_case.size(), "case.toml");
+    text.replace(text.find("\"time.end"), 0,
+                 "\"cells.shape=file\", \"cells.file=shapes/cell.csv\", ");
+    const std::string file = write("in/t.toml", text);
+    const auto stop_at_once = [&](const std::string& targets_file, const char* out) {
+        tt::request_stop();
+        const Outcome outcome = run({"calibrate", targets_file, "-o", path(out).string()});
+        tt::clear_stop_request();
+        return outcome;
+    };
+    ASSERT_EQ(stop_at_once(file, "out").code, 75);
+    EXPECT_TRUE(fs::exists(path("out/inputs/case.toml")));
+    EXPECT_TRUE(fs::exists(path("out/inputs/shapes/cell.csv")));
+
+    fs::rename(path("in"), path("gone"));
+    const tt::Targets again = tt::read_targets(path("out/targets.toml"));
+    ASSERT_EQ(again.inputs.size(), 2u);
+    EXPECT_EQ(again.inputs[1].name, "inputs/shapes/cell.csv");
+
+    fs::rename(path("gone"), path("in"));
+    outline(4.1);
+    const Outcome changed = stop_at_once(file, "out");
+    EXPECT_NE(changed.err.find("former-1"), std::string::npos) << changed.err;
+    EXPECT_TRUE(fs::exists(path("out/former-1/inputs/shapes/cell.csv")));
+}
+
 class TargetsFile : public tt::TemporaryDirectory {
 protected:
     std::string faults_of(const std::string& text) const {

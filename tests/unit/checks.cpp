@@ -83,10 +83,14 @@ TEST_F(Checks, each_is_raised_by_what_it_watches_alone) {
     using M = RunMeasures;
     is("overlap", Verdict::failed, 3, [](M& m, int t) { m.overlaps = t == 7 ? 3 : 0; });
     is("gap", Verdict::warning, 1e-7, [](M& m, int t) { m.smallest_gap.si = t == 7 ? 1e-7 : 1; });
+    EXPECT_NE(spoilt([](M& m, int) { m.smallest_gap.si = 1e-7; }).sentence.find(" in 100 % of"),
+              std::string::npos);
     is("repulsion", Verdict::warning, 9, [](M& m, int) { m.repulsion_count = 9; });
     is("area", Verdict::warning, 2e-3, [](M& m, int) { m.area_error_max = 2e-3; });
     is("area", Verdict::failed, 2e-2, [](M& m, int) { m.area_error_max = 2e-2; });
     is("mach", Verdict::warning, 0.16, [](M& m, int) { m.mach = 0.16; });
+    EXPECT_NE(spoilt([](RunMeasures& m, int) { m.mach = 0.33; }).sentence.find("by about 11 %"),
+              std::string::npos);
     is("mach", Verdict::failed, 0.31, [](M& m, int) { m.mach = 0.31; });
     is("resolution", Verdict::warning, 61, [](M& m, int t) { m.turn_max_deg = t == 7 ? 61 : 9; });
     is("resolution", Verdict::failed, 144, [](M& m, int t) { m.turn_max_deg = t == 7 ? 144 : 9; });

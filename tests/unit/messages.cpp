@@ -103,10 +103,16 @@ TEST_F(Messages, numbers_far_from_those_of_the_field_are_told) {
         return run(words).out;
     };
     EXPECT_EQ(told({}).find("Unusual"), std::string::npos) << told({});
-    const std::vector<std::vector<std::string>> slips{
-        {"membrane.shear_modulus=6 mN/m"},  {"membrane.bending_modulus=1.8e-16 J"},
-        {"plasma.viscosity=0.2 cP"},      {"cells.cytoplasm_viscosity=6 uPa s"},
-        {"flow.pseudo_shear_rate=0.05 /s"}, {"output.frames=5 us", "time.end=800 ms"}};
+    const std::string fast = told({"flow.pseudo_shear_rate=30 /ms"});
+    EXPECT_NE(fast.find("of the channel 10"), std::string::npos) << fast;
+    EXPECT_EQ(fast.find("e+0"), std::string::npos) << fast;
+    const std::vector<std::vector<std::string>> slips{{"membrane.shear_modulus=6 mN/m"},
+                                                      {"membrane.bending_modulus=1.8e-16 J"},
+                                                      {"plasma.viscosity=0.2 cP"},
+                                                      {"cells.cytoplasm_viscosity=6 uPa s"},
+                                                      {"flow.pseudo_shear_rate=0.05 /s"},
+                                                      {"contact.decay=3.84 /nm"},
+                                                      {"output.frames=5 us", "time.end=800 ms"}};
     for (const auto& slip : slips)
         EXPECT_NE(told(slip).find("Unusual: "), std::string::npos) << slip.front();
 }

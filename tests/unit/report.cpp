@@ -236,6 +236,7 @@ TEST(Words, numbers_are_written_as_people_write_them) {
     EXPECT_EQ(with_scatter(3.997e-4, 8.6e-5), "(4.00 ± 0.86) × 10⁻⁴");
     EXPECT_EQ(with_scatter(-13.01, 2.5), "−13.0 ± 2.5");
     EXPECT_EQ(with_scatter(0.377, 5e-17), "0.377");
+    EXPECT_EQ(with_scatter(0.227721, 4e-10), "0.2277");
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include "io/csv.hpp"
 
+#include <sys/resource.h>
+
 #include <cmath>
+#include <csignal>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -60,6 +63,20 @@ TEST_F(Tables, a_file_cut_to_what_a_checkpoint_remembers_goes_on_from_there) {
     file.append("7\n");
     EXPECT_EQ(read_file(path("t.csv")), "a\n1\n7\n");
     EXPECT_THROW(file.cut(1000), IoError);
+}
+
+TEST_F(Tables, an_append_that_does_not_fit_leaves_the_file_as_it_was) {
+    OutputFile file(path("t.csv"), OutputFile::Mode::append);
+    file.append("a\n1\n");
+    rlimit former{};
+    getrlimit(RLIMIT_FSIZE, &former);
+    const rlimit full{8, former.rlim_max};
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &full);
+    EXPECT_THROW(file.append("2\n3\n4\n5\n"), IoError);
+    setrlimit(RLIMIT_FSIZE, &former);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(read_file(path("t.csv")), "a\n1\n");
 }
 
 }  // namespace

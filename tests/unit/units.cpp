@@ -84,7 +84,9 @@ TEST(Units, what_is_wrong_is_told) {
     EXPECT_EQ(complaint("1 m-7"), "a power in a unit is a whole number from -6 to 6, as in m^3");
     EXPECT_EQ(complaint("1 m-"), "'-' is not expected in a unit");
     EXPECT_EQ(complaint("1 .s"), "'.' is not expected in a unit");
-    EXPECT_EQ(complaint("1 Pa\u00b7s"), "'\u00b7' is not expected in a unit");
+    EXPECT_EQ(complaint("1 Pa\u00b7s"), "'\u00b7' is not expected in a unit; write a space or '*'");
+    EXPECT_EQ(complaint("90\u00b0"), "'\u00b0' is not expected in a unit; write ' deg'");
+    EXPECT_EQ(complaint("1 g/ml"), "unknown unit 'ml'; write 'mL'");
     EXPECT_EQ(complaint("1 \xb7s"), "'?' is not expected in a unit");
     EXPECT_EQ(complaint("50 k_BT"), "unknown unit 'k_BT'; write 'kT'");
     EXPECT_EQ(complaint("1 m/"), "a unit is missing at the end");
