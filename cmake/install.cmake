@@ -50,4 +50,5 @@ install(FILES ${CMAKE_BINARY_DIR}/tanktread-config.cmake ${CMAKE_BINARY_DIR}/tan
 
 # --- Python
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME python)
-install(DIRECTORY python/ DESTINATION ${TT_PYTHON_DIR} FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY python/tanktread DESTINATION ${TT_PYTHON_DIR} FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
+install(FILES python/example.py DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-tanktread/examples)

@@ -10,7 +10,7 @@ import numpy as np
 
 source = pathlib.Path(sys.argv.pop(1))
 sys.path.insert(0, str(source / "python"))
-from tanktread import Results  # noqa: E402
+from tanktread import Estimate, Results  # noqa: E402
 
 
 class Reader(unittest.TestCase):
@@ -97,6 +97,39 @@ class Reader(unittest.TestCase):
             for frame in frames:
                 np.testing.assert_array_equal(frame.nodes, true[frame.number].nodes)
                 np.testing.assert_array_equal(frame.velocity, true[frame.number].velocity)
+
+    def test_estimates_have_their_standard_error_and_unit(self):
+        run = self.invent()
+        summary = run.summary
+        for name, entry in summary.items():
+            if entry["value"] is None:
+                with self.assertRaisesRegex(KeyError, "no value"):
+                    run.estimate(name)
+                continue
+            estimate = run.estimate(name)
+            self.assertEqual(estimate, (entry["value"], entry.get("standard_error"), entry["unit"]))
+        self.assertTrue(any("standard_error" in entry for entry in summary.values()))
+        self.assertEqual(str(Estimate(2e-3, 1.26e-4, "m/s")), "0.002 ± 0.00013 m/s")
+
+    def test_pandas_and_xarray_get_numbers_and_units(self):
+        run = self.invent("--frames", "2")
+        try:
+            import pandas  # noqa: F401
+            import xarray  # noqa: F401
+        except ImportError as absent:
+            self.skipTest(str(absent))
+        table = run.series.to_pandas()
+        np.testing.assert_array_equal(table["lambda_C"], run.series["lambda_C"])
+        self.assertEqual(table.attrs["units"]["mean_velocity"], "m/s")
+        self.assertEqual(run.series.to_xarray()["mean_velocity"].dims, ("time",))
+        cells = run.cells.to_xarray()
+        self.assertEqual(dict(cells.sizes), {"time": 60, "cell": 4})
+        np.testing.assert_array_equal(cells["lambda_C"].sel(cell=2), run.cells.of_cell(2)["lambda_C"])
+        self.assertEqual(cells["time"].attrs["units"], "s")
+        self.assertEqual(run.profiles.to_xarray()["velocity"].dims, ("y",))
+        frame, fields = run.frame(-1), run.frame(-1).to_xarray()
+        np.testing.assert_array_equal(fields["velocity"].sel(component="x"), frame.velocity[:, :, 0])
+        self.assertAlmostEqual(float(fields["y"][0]), 0.5 * frame.box[1] / run.grid["ny"])
 
     def test_unfinished_run_gives_what_there_is(self):
         run = self.invent("--stage", "running")

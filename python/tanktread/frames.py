@@ -1,0 +1,96 @@
+"""Membranes and fields at one time, from frames.h5."""
+from __future__ import annotations
+
+import collections.abc
+import pathlib
+import warnings
+
+import h5py
+import numpy as np
+
+from .sealed_file import SealedFile
+
+
+class Frame:
+    """Membranes and fields at one time, SI: arrays in memory, each its own (they outlive the file).
+
+    nodes, node_force, node_velocity: (N, 2); velocity: (ny, nx, 2); pressure, cytoplasm: (ny, nx), row 0 at the bottom.
+    `units` has their units by name; `box` is length and width [m]. A frame without fields has no velocity, pressure, cytoplasm.
+    Node positions are not wrapped: x counts on when a cell leaves through an end.
+    """
+
+    def __init__(self, group: h5py.Group, first: np.ndarray, box: tuple[float, float]):
+        self.number = int(group.name.rpartition("/")[2])
+        self.time = float(group.attrs["time"])
+        self.step = int(group.attrs["step"])
+        self.box = box
+        self.units = {name: dataset.attrs.get("unit", "") for name, dataset in group.items()}
+        self.__dict__.update({name: dataset[()] for name, dataset in group.items()})
+        self._first = first
+
+    def __getattr__(self, name: str) -> np.ndarray:
+        raise AttributeError(f"the frame has no dataset '{name}'")
+
+    @property
+    def cell_count(self) -> int:
+        return len(self._first) - 1
+
+    def outline(self, cell: int, wrapped: bool = True) -> np.ndarray:
+        """Nodes of one cell, (n, 2) [m]; `wrapped` moves the cell as a whole so that its mean x lies in the box."""
+        nodes = self.nodes[self._first[cell]:self._first[cell + 1]].copy()
+        if wrapped:
+            nodes[:, 0] -= self.box[0] * np.floor(nodes[:, 0].mean() / self.box[0])
+        return nodes
+
+
+    def to_xarray(self):
+        """The fields as an xarray Dataset over y and x [m], the sites' centres; velocity over `component` too."""
+        import xarray
+
+        ny, nx = self.pressure.shape
+        at = {name: (name, (np.arange(count) + 0.5) * extent / count, {"units": "m"})
+              for name, count, extent in (("y", ny, self.box[1]), ("x", nx, self.box[0]))}
+        fields = {name: (("y", "x", "component")[:getattr(self, name).ndim], getattr(self, name), {"units": self.units[name]})
+                  for name in ("velocity", "pressure", "cytoplasm")}
+        return xarray.Dataset(fields, {**at, "component": ["x", "y"]}, {"time": self.time})
+
+
+class Frames(collections.abc.Sequence):
+    """The frames of a run in order: len(), [k], [-1], slices, iteration. One is read when it is asked for.
+
+    Iteration leaves out a frame that is damaged, with a warning; asking for it raises OSError.
+    """
+
+    def __init__(self, path: pathlib.Path):
+        self._places = []  # (file, name of the group) of each frame
+        with h5py.File(SealedFile(path), "r") as file:
+            for name in sorted(file["frames"]):
+                link = file["frames"].get(name, getlink=True)  # to another file until the run has ended
+                self._places.append((path.parent / link.filename if isinstance(link, h5py.ExternalLink) else path, name))
+
+    def __len__(self) -> int:
+        return len(self._places)
+
+    def __getitem__(self, k):
+        if isinstance(k, slice):
+            return [self._read(*place) for place in self._places[k]]
+        return self._read(*self._places[k])
+
+    def __iter__(self):
+        for path, name in self._places:
+            try:
+                frame = self._read(path, name)
+            except OSError as error:
+                warnings.warn(f"left out: {error}", stacklevel=2)
+            else:
+                yield frame
+
+    @staticmethod
+    def _read(path: pathlib.Path, name: str) -> Frame:
+        try:
+            with SealedFile(path) as bytes_, h5py.File(bytes_, "r") as file:
+                if not bytes_.sealed:
+                    warnings.warn(f"{path} has no checksums: whether its frames are sound is not known", stacklevel=3)
+                return Frame(file["frames"][name], file["first"][()], tuple(map(float, file.attrs["lengths"])))
+        except (OSError, KeyError, RuntimeError, ValueError) as error:
+            raise OSError(f"frame {int(name)} of {path} is damaged ({error})") from None
