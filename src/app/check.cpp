@@ -93,6 +93,16 @@ std::string equilibrium_text(const Equilibrium& equilibrium) {
     return "incompressible: with advection";
 }
 
+/// What `auto` was held back by: the first limit, and those that meet it where τ was chosen.
+std::string step_setters(const Choice& choice) {
+    std::string text;
+    for (const StepLimit& limit : choice.limits) {
+        if (limit.step.si > 1.02 * choice.limits.front().step.si) break;
+        text += (text.empty() ? "the " : " and the ") + limit.name;
+    }
+    return text;
+}
+
 void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
     print_line("grid", fmt::format("{} x {} sites of {}, {} in all", choice.nx, choice.ny,
                                    rounded_text(choice.dx), with_spaces(a.sites)));
@@ -109,22 +119,25 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
     if (a.cells > 0) print_line("resolution", resolution_text(a));
     if (a.cells > 0) print_line("start", start_text(c, choice, a));
     if (a.cells > 0 && c.cells.outline()) print_line("outline", description(*c.cells.outline()));
-    const StepLimit& limit = choice.limits.front();
     const bool chosen = !c.numerics.dt && !c.numerics.density_scale;
-    print_line("time step",
-               fmt::format("{}, {} steps to {}; {}", rounded_text(choice.dt), with_spaces(a.steps),
-                           to_text(c.time.end), chosen ? "set by the " + limit.name : "as given"));
+    print_line("time step", fmt::format("{}, {} steps to {}; {}", rounded_text(choice.dt),
+                                        with_spaces(a.steps), to_text(c.time.end),
+                                        chosen ? "set by " + step_setters(choice) : "as given"));
     if (const double change = choice.expected_change(); change > 0.0)
         print_line("what it changes",
                    fmt::format("D, strain, lambda_C and mu_rel by less than {} % (measured in "
                                "studies/time-step); numerics.step_tolerance is {:.3g} %",
                                plain(100.0 * change), 100.0 * c.numerics.step_tolerance));
+    const bool tau_chosen =
+        !c.numerics.relaxation_time && !(c.numerics.dt && c.numerics.density_scale);
+    const bool trt = std::holds_alternative<Trt>(c.numerics.collision);
     print_line("relaxation time",
-               a.tau_cytoplasm > a.tau_plasma
-                   ? fmt::format("{:.4g} in plasma, {:.4g} where it is most viscous ({})",
-                                 a.tau_plasma, a.tau_cytoplasm,
-                                 std::holds_alternative<Trt>(c.numerics.collision) ? "TRT" : "BGK")
-                   : fmt::format("{:.4g}", a.tau_plasma));
+               fmt::format("{:.4g} in plasma{}{}", a.tau_plasma,
+                           a.tau_cytoplasm > a.tau_plasma
+                               ? fmt::format(", {:.4g} where it is most viscous ({})",
+                                             a.tau_cytoplasm, trt ? "TRT" : "BGK")
+                               : "",
+                           tau_chosen ? "; it allows the longest step" : ""));
     print_line("equilibrium", equilibrium_text(choice.equilibrium));
     if (a.cells > 0) print_line("kernel", std::string(word_of(choice.delta)));
     print_line("density scale",

@@ -99,13 +99,13 @@ void bound(const Choice& choice, const Model& model, Appraisal& a) {
     const double viscosity = 0.5 * (model.viscosity.plasma + model.viscosity.cytoplasm);
     const Membrane& membrane = model.membrane;
     const double stretch = choice.expected_stretch;
-    const std::string at = fmt::format("at stretch {:.3g}", stretch);
     const bool late = choice.relaxation_time > 1.5;
     a.bounds.push_back({"membrane tension",
                         tension_step_number(tension_slope(membrane, stretch), viscosity,
                                             choice.relaxation_time, 1.0, 1.0),
                         tension_step_limit,
-                        (late ? "(tau-1/2) T' dt/(mu dx) " : "T' dt/(mu dx) ") + at});
+                        (late ? "(tau-1/2) T' dt/(mu dx) at " : "T' dt/(mu dx) at stretch ") +
+                            fmt::format("{:.3g}", stretch)});
     const double lesser = std::min(model.viscosity.plasma, model.viscosity.cytoplasm);
     const double bent = stretch_of_hardened(membrane, stretch);
     a.bounds.push_back(

@@ -71,7 +71,21 @@ Undisturbed choose_flow(const Case& c, Choice& choice) {
     return {Rate{k}, Rate{at_walls * k}, choice.largest_speed};
 }
 
-/// Of Δt, τ and S: what is given stays, the rest follows.
+/// The relaxation time that allows the longest step, in hundredths; of equals the nearest to the
+/// usual one, so that stress follows no later than it need. Inertia asks for a small S and with it
+/// for a large τ, stress delay and stability for a small one: the longest step has one hill.
+template <class StepAt>
+double of_longest_step(StepAt&& step_at) {
+    constexpr int fewest = 100, usual = 150, most = 400;
+    const auto step = [&](int hundredths) { return step_at(hundredths / 100.0); };
+    int best = usual;
+    while (best < most && step(best + 1) > step(best)) ++best;
+    while (best > fewest && step(best - 1) > step(best)) --best;
+    return best / 100.0;
+}
+
+/// Of Δt, τ and S: what is given stays, the rest follows. Which τ `auto` takes does not depend on
+/// the other two, so that with them all limits of accuracy move in proportion.
 void choose_step(const Case& c, const Undisturbed& flow, Choice& choice) {
     const NumericsCase& n = c.numerics;
     const double dx = choice.dx.si, rho = c.plasma.density.si, mu = c.plasma.viscosity.si;
@@ -86,14 +100,19 @@ void choose_step(const Case& c, const Undisturbed& flow, Choice& choice) {
                                           implied * 1e6)}});
         }
     }
-    choice.relaxation_time = n.relaxation_time.value_or(
-        n.dt && n.density_scale ? 0.5 + n.dt->si / (*n.density_scale * unit)
-                                : auto_relaxation_time);
-    const double half_step = choice.relaxation_time - 0.5;
     const Membrane membrane = membrane_of(c.membrane, Scales{});
     choice.expected_stretch = expected_stretch(c, flow, membrane);
-    choice.limits = step_limits(c, flow, choice.equilibrium, choice.dx, choice.relaxation_time,
-                                choice.expected_stretch, membrane);
+    const auto limits_at = [&](double tau) {
+        return step_limits(c, flow, choice.equilibrium, choice.dx, tau, choice.expected_stretch,
+                           membrane);
+    };
+    choice.relaxation_time =
+        n.relaxation_time ? *n.relaxation_time
+        : n.dt && n.density_scale
+            ? 0.5 + n.dt->si / (*n.density_scale * unit)
+            : of_longest_step([&](double tau) { return limits_at(tau).front().step.si; });
+    choice.limits = limits_at(choice.relaxation_time);
+    const double half_step = choice.relaxation_time - 0.5;
     choice.dt = n.dt              ? *n.dt
                 : n.density_scale ? Time{half_step * *n.density_scale * unit}
                                   : choice.limits.front().step;

@@ -31,13 +31,14 @@ struct Change {
     }
     /// At the same relaxation time, so that a state can be taken over.
     void shorten_step(double factor, const Choice& choice) {
+        const bool implied = c.numerics.dt && c.numerics.density_scale;
         const std::string text = rounded_text(Time{choice.dt.si * factor}, 3);
         c.numerics.dt = Time{parse_measure(text).si};
         add("numerics.dt", fmt::format("\"{}\"", text));
         if (!c.numerics.density_scale) return;
         c.numerics.density_scale.reset();
         add("numerics.density_scale", "auto");
-        if (c.numerics.relaxation_time || choice.relaxation_time == auto_relaxation_time) return;
+        if (!implied) return;  // it does not depend on them
         c.numerics.relaxation_time = choice.relaxation_time;
         add("numerics.relaxation_time", to_text(choice.relaxation_time));
     }

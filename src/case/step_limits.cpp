@@ -87,11 +87,12 @@ public:
     void add_tension(const Membrane& membrane, double stretch) {
         const double slope = tension_slope(membrane, stretch);
         const double mean = 0.5 * (viscosity() + case_.cells.cytoplasm_viscosity.si);
-        const double number = tension_step_number(slope, mean, half_step_ + 0.5, 1.0, dx_);
-        add("membrane tension", auto_tension_step_number / number,
-            fmt::format("{}T' dt / (mu dx) <= {}: stability; T' at stretch {:.3g} is {} times "
-                        "that at rest",
-                        half_step_ > 1.0 ? "(tau - 1/2) " : "", auto_tension_step_number, stretch,
+        const double number = tension_step_number(slope, mean, 1.5, 1.0, dx_);
+        const double late = auto_late_tension_step_number / half_step_;
+        add("membrane tension", std::min(auto_tension_step_number, late) / number,
+            fmt::format("T' dt / (mu dx) <= {:.3g}, and {} over tau - 1/2: stability; T' at "
+                        "stretch {:.3g} is {} times that at rest",
+                        auto_tension_step_number, auto_late_tension_step_number, stretch,
                         rounded_text(slope / tension_slope(membrane, 1.0), Dimension{}, 3)));
     }
 

@@ -24,15 +24,13 @@ struct StepLimit {
                           ///< to Δt; 0: a limit of stability
 };
 
-/// What `auto` takes for τ of the plasma. The laws of studies/time-step were measured at and around
-/// it.
-inline constexpr double auto_relaxation_time = 1.5;
-
 /// A third of the limit of stability: cells make the flow faster here and there.
 inline constexpr double auto_mach = 0.1;
 
-/// Half of the limit of stability, in units of T' Δt/(μ Δx), E_b Δt/(μ Δx³) and k_p α (τ − ½) Δt/μ.
+/// Half of the limit of stability, in units of T' Δt/(μ Δx), E_b Δt/(μ Δx³) and k_p α (τ − ½) Δt/μ;
+/// where τ is larger, five sixths of that of (τ − ½) T' Δt/(μ Δx).
 inline constexpr double auto_tension_step_number = 0.6;
+inline constexpr double auto_late_tension_step_number = 1.0;
 inline constexpr double auto_bending_step_number = 0.75;
 inline constexpr double auto_area_step_number = 20.0;
 
@@ -61,7 +59,8 @@ double stretch_of_hardened(const Membrane& membrane, double expected_stretch);
 
 /// Time steps that each limit of `auto` allows at site spacing `dx` and relaxation time τ, the
 /// tightest first. Limits of accuracy are proportional to numerics.step_tolerance, by the changes
-/// measured in studies/time-step; limits of stability are not. At fixed τ, Δt ∝ S.
+/// measured in studies/time-step at τ from 0.75 to 4; limits of stability are not. At fixed τ, Δt ∝
+/// S.
 std::vector<StepLimit> step_limits(const Case& c, const Undisturbed& flow,
                                    const Equilibrium& equilibrium, Length dx, double tau,
                                    double stretch, const Membrane& membrane);

@@ -236,14 +236,15 @@ std::vector<InputFile> TargetsReader::inputs(const std::vector<Condition>& condi
     std::vector<InputFile> files{
         {"inputs/" + path.filename().string(), read_file(path, Author::user)}};
     for (const Condition& condition : conditions) {
-        if (!condition.c.cells.outline) continue;
-        const fs::path outline = *condition.c.cells.file;
+        const auto* shape = std::get_if<OutlineShape>(&condition.c.cells.shape);
+        if (!shape || !shape->outline) continue;
+        const fs::path outline = shape->file;
         const fs::path beside = outline.lexically_relative(fs::absolute(path).parent_path());
         const bool inside = !beside.empty() && *beside.begin() != "..";
         const std::string name = "inputs/" + (inside ? beside : outline.filename()).string();
         const auto same = [&](const InputFile& file) { return file.name == name; };
         if (std::none_of(files.begin(), files.end(), same))
-            files.push_back({name, condition.c.cells.outline->bytes});
+            files.push_back({name, shape->outline->bytes});
     }
     return files;
 }

@@ -42,15 +42,62 @@ TEST(Choice, the_kernel_of_ten_times_the_viscosity_is_that_of_the_documents) {
 }
 
 TEST(StepLimits, of_the_default_tolerance_are_the_documented_ones) {
-    const Choice shear = choice_of("03-cell-in-shear", {});
+    const Choice shear = choice_of("03-cell-in-shear", {"numerics.relaxation_time=1.5"});
     EXPECT_EQ(shear.limits.front().name, "Reynolds number");
     EXPECT_NEAR(shear.density_scale * 1025.0 * 250.0 * 16e-12 / 1.2e-3, 0.2, 1e-9);
     EXPECT_NEAR(shear.expected_change(), 0.01, 1e-12);
 
-    const Choice channel = choice_of("05-channel", {"numerics.step_tolerance=1 %"});
+    const Choice channel =
+        choice_of("05-channel", {"numerics.step_tolerance=1 %", "numerics.relaxation_time=1.5"});
     EXPECT_NEAR(channel.density_scale * 1025.0 * 500.0 * 16e-12 / 1.2e-3, 0.035, 1e-9);
     // (τ − ½) V Δt/a with V = 3/2 U
     EXPECT_NEAR(15e-3 * step_of(channel, "stress delay") / 4e-6, 0.0025, 1e-12);
+}
+
+TEST(StepLimits, inertia_and_delay_meet_at_the_relaxation_time_of_the_longest_step) {
+    const Choice one = choice_of("05-channel", {"numerics.step_tolerance=1 %"});
+    // (τ − ½)² = delay limit a/V over S ρ h²/(3 μ) with S ρ k a²/μ = 0.035.
+    EXPECT_NEAR(one.relaxation_time,
+                0.5 + std::sqrt(0.0025 * 4e-6 / 15e-3 * 3.0 * 500.0 * 16e-12 / (0.035 * 4e-14)),
+                0.005);
+    EXPECT_NEAR(step_of(one, "stress delay") / step_of(one, "Reynolds number"), 1.0, 0.005);
+    EXPECT_NEAR(one.expected_change(), 0.01, 1e-12);
+    EXPECT_GT(one.dt.si, 3.3 * choice_of("05-channel", {"numerics.step_tolerance=1 %",
+                                                        "numerics.relaxation_time=1.5"})
+                                   .dt.si);
+
+    // Few sites to a radius: stress delay is the first even at 1.5.
+    const std::vector<std::string> coarse{"numerics.dx=0.8 um", "numerics.step_tolerance=1 %"};
+    EXPECT_LT(choice_of("05-channel", coarse).relaxation_time, 1.5);
+}
+
+TEST(StepLimits, allow_no_longer_step_at_any_other_relaxation_time) {
+    for (const char* name : {"03-cell-in-shear", "04-cell-relaxing", "05-channel"})
+        for (const char* tolerance : {"1 %", "5 %"}) {
+            const std::string tolerated = std::string("numerics.step_tolerance=") + tolerance;
+            const Choice chosen = choice_of(name, {tolerated});
+            for (const char* tau : {"1", "1.3", "1.5", "1.7", "2", "2.4", "3", "3.5", "4"}) {
+                const Choice other =
+                    choice_of(name, {tolerated, std::string("numerics.relaxation_time=") + tau});
+                EXPECT_LE(other.dt.si, chosen.dt.si) << name << " " << tolerance << " " << tau;
+            }
+        }
+}
+
+TEST(StepLimits, of_stability_leave_the_relaxation_time_as_small_as_the_step_allows) {
+    EXPECT_EQ(choice_of("01-poiseuille", {}).relaxation_time, 1.5);  // Mach alone
+    const Choice channel = choice_of("05-channel", {});
+    EXPECT_NEAR(step_of(channel, "Reynolds number") / channel.dt.si, 1.0, 0.01);
+}
+
+TEST(Choice, of_the_relaxation_time_does_not_depend_on_a_step_or_density_scale_that_is_given) {
+    const double tau = choice_of("05-channel", {}).relaxation_time;
+    const Choice step = choice_of("05-channel", {"numerics.dt=0.1 us"});
+    EXPECT_EQ(step.relaxation_time, tau);
+    EXPECT_EQ(step.dt.si, 1e-7);
+    const Choice scale = choice_of("05-channel", {"numerics.density_scale=10"});
+    EXPECT_EQ(scale.relaxation_time, tau);
+    EXPECT_DOUBLE_EQ(scale.density_scale, 10.0);
 }
 
 TEST(StepLimits, a_tighter_tolerance_gives_a_smaller_step_and_a_looser_one_stays_stable) {
