@@ -117,6 +117,11 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
                               : choice.equilibrium == "incompressible"
                                   ? "incompressible: with advection"
                                   : "full: with advection, Eq. 2");
+    print_line("precision", choice.precision +
+                                (c.numerics.precision != "auto" ? ", as given"
+                                 : c.numerics.fluid_only        ? ": a channel without cells"
+                                 : choice.precision == "single" ? ": step_tolerance is 1 % or more"
+                                                                : ": step_tolerance is below 1 %"));
     if (a.cells > 0) print_line("kernel", choice.delta);
     print_line("density scale",
                choice.density_scale < 1.0 + 1e-9
@@ -232,6 +237,7 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
     j["reynolds_channel"] = a.channel_reynolds;
     j["mach"] = a.mach;
     j["transits"] = a.transits;
+    j["precision"] = choice.precision;
     j["step_tolerance"] = c.numerics.step_tolerance;
     j["expected_change"] = choice.expected_change();
     j["expected_stretch"] = choice.expected_stretch;

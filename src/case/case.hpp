@@ -132,7 +132,7 @@ struct NumericsCase {
     std::string collision = "trt";       ///< trt | bgk
     double magic = 3.0 / 16.0;           ///< Λ of TRT
     std::string equilibrium = "auto";    ///< auto | linear (Stokes) | incompressible | full (Eq. 2)
-    std::string precision = "double";    ///< double | single, of the populations
+    std::string precision = "auto";      ///< auto | double | single, of what the sites hold
     std::string delta = "auto";          ///< auto | cosine4 | hat2 | roma3 | peskin4
     std::string interior = "scan-line";  ///< scan-line | flood-fill
     std::string interface_viscosity = "area-fraction";  ///< sharp | smoothed | area-fraction

@@ -23,6 +23,7 @@ struct Choice {
     double node_spacing = 1.0;     ///< in sites
     std::string equilibrium;       ///< linear | incompressible | full
     std::string delta;             ///< cosine4 | hat2 | roma3 | peskin4
+    std::string precision;         ///< double | single
     bool jump_correction = true;
     Rate shear_rate;                     ///< nominal k, or pseudo-shear rate; negative: to the left
     Velocity largest_speed;              ///< of the undisturbed flow

@@ -46,6 +46,7 @@ std::string resolved_toml(const Case& c, const Choice& choice, const Model& mode
     text += line("relaxation_time", choice.relaxation_time);
     text += line("density_scale", choice.density_scale);
     text += fmt::format("# {:<24} {}\n", "equilibrium", choice.equilibrium);
+    text += fmt::format("# {:<24} {}\n", "precision", choice.precision);
     text += line("cell_reynolds_as_run", choice.cell_reynolds(c));
     text += line("shear_rate", choice.shear_rate, s);
     text += line("largest_speed", choice.largest_speed, s);
@@ -74,8 +75,8 @@ std::string settings_of(const Case& c, const Choice& choice) {
            chosen("relaxation_time", to_text(choice.relaxation_time)) +
            chosen("density_scale", to_text(choice.density_scale)) +
            chosen("node_spacing", to_text(choice.node_spacing)) +
-           chosen("equilibrium", choice.equilibrium) + chosen("delta", choice.delta) +
-           chosen("area_stiffness", to_text(choice.area_stiffness));
+           chosen("equilibrium", choice.equilibrium) + chosen("precision", choice.precision) +
+           chosen("delta", choice.delta) + chosen("area_stiffness", to_text(choice.area_stiffness));
 }
 
 }  // namespace tt

@@ -369,9 +369,10 @@ struct FieldList<NumericsCase> {
                    "incompressible where the flow carries cells along, else linear",
                    any_value, "auto|linear|incompressible|full"},
         FieldEntry{"precision", &T::precision,
-                   "of the lattice populations: single takes half the memory and traffic; "
-                   "membranes are in double either way",
-                   any_value, "double|single"},
+                   "of all fields of sites: single takes half the memory and traffic; membranes "
+                   "are in double either way; auto: single where there are cells and "
+                   "step_tolerance is 1 % or more",
+                   any_value, "auto|double|single"},
         FieldEntry{
             "delta", &T::delta,
             "kernel between sites and nodes (Eq. 8 is cosine4); auto: roma3, but peskin4 where "
