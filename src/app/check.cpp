@@ -93,6 +93,14 @@ std::string equilibrium_text(const Equilibrium& equilibrium) {
     return "incompressible: with advection";
 }
 
+std::string precision_text(const Case& c, const Choice& choice) {
+    const std::string text(word_of(choice.precision));
+    if (c.numerics.precision) return text + ", as given";
+    if (c.numerics.fluid_only) return text + ": a channel without cells";
+    return text + (choice.precision == Precision::fp32 ? ": step_tolerance is 1 % or more"
+                                                       : ": step_tolerance is below 1 %");
+}
+
 /// What `auto` was held back by: the first limit, and those that meet it where τ was chosen.
 std::string step_setters(const Choice& choice) {
     std::string text;
@@ -139,6 +147,7 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
                                : "",
                            tau_chosen ? "; it allows the longest step" : ""));
     print_line("equilibrium", equilibrium_text(choice.equilibrium));
+    print_line("precision", precision_text(c, choice));
     if (a.cells > 0) print_line("kernel", std::string(word_of(choice.delta)));
     print_line("density scale",
                choice.density_scale < 1.0 + 1e-9
@@ -254,6 +263,7 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
     j["reynolds_channel"] = a.channel_reynolds;
     j["mach"] = a.mach;
     j["transits"] = a.transits;
+    j["precision"] = word_of(choice.precision);
     j["step_tolerance"] = c.numerics.step_tolerance;
     j["expected_change"] = choice.expected_change();
     j["expected_stretch"] = choice.expected_stretch;

@@ -249,7 +249,7 @@ struct NumericsCase {
     std::optional<double> node_spacing;  ///< in sites
     Collision collision;
     std::optional<Equilibrium> equilibrium;
-    std::string precision = "double";  ///< double | single, of the populations
+    std::optional<Precision> precision;  ///< of what the sites hold
     std::optional<Delta> delta;
     InteriorMethod interior;
     InterfaceViscosity interface_viscosity = AreaFraction{};
