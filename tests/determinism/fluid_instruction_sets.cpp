@@ -15,7 +15,7 @@ template <class Real>
 struct Row {
     static constexpr int count = 403;
     std::array<std::vector<Real>, d2q9::count> populations;
-    std::array<std::vector<double>, 6> fields;
+    std::array<std::vector<Real>, 6> fields;
     RowOfSites<Real> sites{};
 
     Row() {

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "fluid/collision/collision.hpp"
 #include "coupling/delta/delta.hpp"
 #include "coupling/stencil.hpp"
 #include "coupling/viscosity_mean.hpp"

@@ -136,6 +136,15 @@ TEST(RandomLayout, says_what_fits_where_there_is_no_room) {
     }
 }
 
+Suspension start_of(const std::string& cells, const std::string& width) {
+    const Case c = parse_case(
+        fmt::format("format = 1\n[domain]\nlength = \"24 um\"\nwidth = \"{}\"\n[cells]\n{}\n"
+                    "[numerics]\ndx = \"0.25 um\"\n[time]\nend = \"1 ms\"\n",
+                    width, cells),
+        "case.toml");
+    return initial_state(c, discretise(c)).cells;
+}
+
 TEST(Fit, refuses_cells_that_overlap_whatever_their_shape) {
     const std::string pair =
         "shape = \"ellipse\"\nradius = \"2 um\"\naspect_ratio = 2\nlayout = \"explicit\"\n"
@@ -172,15 +181,6 @@ TEST(PaperLayout, is_two_symmetric_rows_up_to_the_perturbation) {
         EXPECT_LE(std::fabs(shift.y), 2.5);
         EXPECT_NE(shift.y, 0.0);
     }
-}
-
-Suspension start_of(const std::string& cells, const std::string& width) {
-    const Case c = parse_case(
-        fmt::format("format = 1\n[domain]\nlength = \"24 um\"\nwidth = \"{}\"\n[cells]\n{}\n"
-                    "[numerics]\ndx = \"0.25 um\"\n[time]\nend = \"1 ms\"\n",
-                    width, cells),
-        "case.toml");
-    return initial_state(c, discretise(c)).cells;
 }
 
 const std::string disc = "shape = \"biconcave\"\nradius = \"3.91 um\"\n";

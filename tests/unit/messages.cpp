@@ -103,8 +103,8 @@ TEST_F(Messages, numbers_far_from_those_of_the_field_are_told) {
         return run(words).out;
     };
     EXPECT_EQ(told({}).find("Unusual"), std::string::npos) << told({});
-    const std::string fast = told({"flow.pseudo_shear_rate=30 /ms"});
-    EXPECT_NE(fast.find("of the channel 10"), std::string::npos) << fast;
+    const std::string fast = told({"flow.pseudo_shear_rate=5000 /s", "domain.width=200 um"});
+    EXPECT_NE(fast.find("of the channel 170"), std::string::npos) << fast;
     EXPECT_EQ(fast.find("e+0"), std::string::npos) << fast;
     const std::vector<std::vector<std::string>> slips{{"membrane.shear_modulus=6 mN/m"},
                                                       {"membrane.bending_modulus=1.8e-16 J"},

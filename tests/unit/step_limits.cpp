@@ -43,7 +43,7 @@ TEST(Choice, the_kernel_of_ten_times_the_viscosity_is_that_of_the_documents) {
 
 TEST(Choice, single_precision_is_for_cells_and_tolerances_of_a_percent) {
     const auto precision = [](const char* name, const char* change) {
-        return choice_of(name, {change}).precision;
+        return word_of(choice_of(name, {change}).precision);
     };
     EXPECT_EQ(precision("03-cell-in-shear", "numerics.step_tolerance=1 %"), "single");
     EXPECT_EQ(precision("03-cell-in-shear", "numerics.step_tolerance=0.99 %"), "double");
