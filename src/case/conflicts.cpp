@@ -87,9 +87,8 @@ void judge_random(Judge& judge, const CellsCase& cells) {
     if (cells.angle.si != 0.0)
         judge.tell(
             {"cells.angle"},
-            fmt::format("angle = {} means nothing with layout = \"random\", which turns each "
-                        "cell by an angle of its own; leave it out",
-                        to_text(cells.angle)));
+            "angle means nothing with layout = \"random\", which turns each cell by an angle of "
+            "its own; leave it out");
     if (cells.initial_stretch)
         judge.tell(
             {"cells.initial_stretch"},

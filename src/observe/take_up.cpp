@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "io/file.hpp"
 #include "observe/same_case.hpp"
 #include "observe/status.hpp"
 #include "simulation/derive.hpp"
@@ -18,6 +19,13 @@ namespace {
 double time_step_of(const ArchiveReader& archive, const Model& model) {
     const auto text = setting_in(archive.text("settings"), "chosen.dt");
     return text ? parse_measure(*text).si : model.scales.time;
+}
+
+/// More than the heading and the row of the start: those come after the first checkpoint.
+bool has_rows_of_steps(const std::filesystem::path& table) {
+    if (!std::filesystem::exists(table)) return false;
+    const std::string text = read_file(table);
+    return std::count(text.begin(), text.end(), '\n') > 2;
 }
 
 }  // namespace
@@ -49,9 +57,8 @@ void expect_nothing_to_lose(const std::filesystem::path& results, const RunReque
                             const Checkpoints& checkpoints) {
     if (const auto theirs = recorded_settings(results))
         expect_same_case(request.directory, *theirs, request.settings);
-    // frames.h5 is put together at an end or a stop, when a checkpoint is on the disk.
-    const bool lost = std::filesystem::exists(results / "summary.json") ||
-                      std::filesystem::exists(results / "frames.h5") || checkpoints.exist() ||
+    const bool lost = std::filesystem::exists(results / "summary.json") || checkpoints.exist() ||
+                      has_rows_of_steps(results / "series.csv") ||
                       recorded_status(results).value("checkpoint_step", std::int64_t{-1}) >= 0;
     if (lost)
         throw DirectoryInUse(fmt::format(

@@ -152,7 +152,7 @@ TEST_F(Calibrate, keeps_its_inputs_can_be_moved_and_knows_an_outline_that_change
     };
     fs::create_directories(path("in/shapes"));
     fs::copy_file(shear_case, path("in/case.toml"));
-    outline(4.0);
+    outline(4.2);
     std::string text = targets(1.05, 1.15, "first_pairs = 4\nmost_pairs = 4\n");
     text.replace(text.find(shear_case), shear_case.size(), "case.toml");
     text.replace(text.find("\"time.end"), 0,
@@ -164,7 +164,8 @@ TEST_F(Calibrate, keeps_its_inputs_can_be_moved_and_knows_an_outline_that_change
         tt::clear_stop_request();
         return outcome;
     };
-    ASSERT_EQ(stop_at_once(file, "out").code, 75);
+    const Outcome stopped = stop_at_once(file, "out");
+    ASSERT_EQ(stopped.code, 75) << stopped.err;
     EXPECT_TRUE(fs::exists(path("out/inputs/case.toml")));
     EXPECT_TRUE(fs::exists(path("out/inputs/shapes/cell.csv")));
 
@@ -174,7 +175,7 @@ TEST_F(Calibrate, keeps_its_inputs_can_be_moved_and_knows_an_outline_that_change
     EXPECT_EQ(again.inputs[1].name, "inputs/shapes/cell.csv");
 
     fs::rename(path("gone"), path("in"));
-    outline(4.1);
+    outline(4.4);
     const Outcome changed = stop_at_once(file, "out");
     EXPECT_NE(changed.err.find("former-1"), std::string::npos) << changed.err;
     EXPECT_TRUE(fs::exists(path("out/former-1/inputs/shapes/cell.csv")));
