@@ -12,15 +12,12 @@
 #include "base/units.hpp"
 #include "case/channel_flow.hpp"
 #include "case/fit.hpp"
+#include "case/contact_at_start.hpp"
 #include "case/judge.hpp"
 #include "membrane/in_plane/surface_tension.hpp"
 
 namespace tt {
 namespace {
-
-/// Tension at which the membrane of a red cell bursts, 6.5 mN/m: the order of Evans et al. (1976),
-/// who found 10 mN/m.
-constexpr double lysis_tension = 6.5e-3;
 
 void judge_exclusive(Judge& judge) {
     for (const Exclusive& exclusive : exclusive_keys) {
