@@ -68,15 +68,23 @@ TEST_F(StopAndResume, a_run_that_is_killed_again_and_again_ends_like_one_that_is
 }
 
 TEST_F(StopAndResume, a_signal_stops_cleanly_and_the_next_call_goes_on) {
-    run_small(small_request(path("straight"), steps));
-    const RunRequest request = small_request(path("stopped"), steps);
+    constexpr std::int64_t long_enough = 10 * steps;
+    run_small(small_request(path("straight"), long_enough));
+    const RunRequest request = small_request(path("stopped"), long_enough);
+    const fs::path log = path("stopped") / "run.log";
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU}) {
+        const auto logged = fs::exists(log) ? fs::file_size(log) : 0;
         const pid_t child = in_a_child([&] {
             const bool stopped = run_small(request).ending == RunOutcome::Ending::stopped;
             _exit(stopped ? 75 : 0);
         });
-        // The handlers are in place once the run log is there.
-        while (!fs::exists(path("stopped") / "checkpoint/current")) std::this_thread::yield();
+        // The handlers are in place once the run has logged something.
+        const auto hears = [&] {
+            return fs::exists(path("stopped") / "checkpoint/current") && fs::exists(log) &&
+                   fs::file_size(log) > logged;
+        };
+        for (int wait = 0; wait < 20'000 && !hears(); ++wait)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         const auto asked = std::chrono::steady_clock::now();
         kill(child, signal);
