@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/units.hpp"
+#include "case/contact_at_start.hpp"
 #include "case/plausibility.hpp"
 #include "membrane/outline.hpp"
 #include "membrane/outline_checks.hpp"
@@ -218,6 +219,10 @@ std::string spacing_text(const Case& c, double most) {
     return rounded_text(fitting_spacing(c, Length{most}), 7);
 }
 
+/// Below that a run in a fast flow blows up sooner or later, whatever the time step: seen from 6e-5
+/// on, and not at 5e-4.
+constexpr double smallest_viscosity_ratio = 5e-4;
+
 void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& a,
                           Adviser& adviser) {
     if (a.cells == 0) return;
@@ -252,6 +257,13 @@ void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& 
         adviser.consider(
             "With a sharp jump of viscosity the error does not fall as dx^2 (studies/interface). "
             "Write interface_viscosity = \"area-fraction\".");
+    if (a.viscosity_ratio < smallest_viscosity_ratio)
+        adviser.refuse(
+            "Viscosity ratio {:.2g}: what is inside the cells is too thin to be computed beside "
+            "what "
+            "is outside. Write cytoplasm_viscosity = \"{}\" in [cells], or more.",
+            a.viscosity_ratio,
+            rounded_text(Viscosity{2.0 * smallest_viscosity_ratio * c.plasma.viscosity.si}, 2));
     if (std::max(a.viscosity_ratio, 1.0 / a.viscosity_ratio) > largest_corrected_contrast) {
         if (choice.jump_correction)
             adviser.refuse(
@@ -343,6 +355,7 @@ Appraisal appraise(const Case& c, const Choice& choice, const Model& model, cons
     advise_on_resolution(c, choice, a, adviser);
     advise_on_outline(c, initial, adviser);
     advise_on_physics(c, a, adviser);
+    if (const auto why = bursting_contact(c, model, initial)) adviser.refuse("{}", *why);
     const std::vector<Advice> unusual = implausible_numbers(c, choice, a);
     a.advice.insert(a.advice.end(), unusual.begin(), unusual.end());
     return a;

@@ -11,6 +11,7 @@
 
 #include "base/units.hpp"
 #include "case/channel_flow.hpp"
+#include "case/contact_at_start.hpp"
 #include "case/fit.hpp"
 #include "case/judge.hpp"
 #include "case/step_limits.hpp"
@@ -19,10 +20,6 @@
 
 namespace tt {
 namespace {
-
-/// Tension at which the membrane of a red cell bursts, 6.5 mN/m: the order of Evans et al. (1976),
-/// who found 10 mN/m.
-constexpr double lysis_tension = 6.5e-3;
 
 /// Whether the outline of a file has the size of a cell. In another unit than it is read in it is
 /// far too large, and would be made of any number of nodes, or far too small.

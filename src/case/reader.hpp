@@ -171,7 +171,7 @@ private:
                 if (word && entry.value.text == "auto") return;
                 if constexpr (is_quantity<item_type<T>>) {
                     if (word && entry.value.text == "never" && field.choices == "never") {
-                        result.emplace(std::numeric_limits<double>::infinity());
+                        result = item_type<T>{std::numeric_limits<double>::infinity()};
                         return;
                     }
                 }

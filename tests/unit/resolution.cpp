@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <string>
@@ -58,6 +59,18 @@ TEST(Resolution, too_many_sites_are_made_fewer_without_losing_the_cells) {
         advice({"cells.layout=single", "cells.count=1", "domain.width=2 cm", "domain.length=20 um"},
                1e5),
         "width = \"200 um\"");
+}
+
+TEST(Resolution, cells_that_are_next_to_empty_are_refused_with_a_viscosity_that_is_not) {
+    const Appraisal thin = appraised("05-channel", {"plasma.viscosity=1e5 cP"});
+    ASSERT_TRUE(thin.refused());
+    const auto told = std::find_if(thin.advice.begin(), thin.advice.end(), [](const Advice& x) {
+        return x.text.find("cytoplasm_viscosity = \"0.1 Pa s\"") != std::string::npos;
+    });
+    EXPECT_NE(told, thin.advice.end());
+    const std::vector<std::string> thick{"plasma.viscosity=1e5 cP",
+                                         "cells.cytoplasm_viscosity=100 cP"};
+    EXPECT_FALSE(appraised("05-channel", thick).refused());
 }
 
 TEST(Resolution, what_the_grid_must_resolve_is_told_in_sites) {

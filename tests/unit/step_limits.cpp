@@ -1,5 +1,6 @@
 #include "case/step_limits.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 
 #include "case/appraise.hpp"
 #include "case/choose.hpp"
+#include "case/contact_at_start.hpp"
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
 #include "case/membrane_of.hpp"
@@ -39,6 +41,23 @@ TEST(Choice, the_kernel_of_ten_times_the_viscosity_is_that_of_the_documents) {
     EXPECT_EQ(delta("12 cP"), "roma3");
     EXPECT_EQ(delta("0.12 cP"), "roma3");
     EXPECT_EQ(delta("12.01 cP"), "peskin4");
+}
+
+/// e^{2 β r0} of the largest distance that can be written is no number any more.
+TEST(ContactAtStart, that_would_burst_cells_is_refused_with_a_distance_that_helps) {
+    const auto why = [](const std::vector<std::string>& changes) {
+        const Case c = read_case(TT_SOURCE_DIR "/cases/05-channel/case.toml", changes);
+        const Model model = discretise(c, choose(c));
+        return bursting_contact(c, model, initial_state(c, model)).value_or("");
+    };
+    EXPECT_EQ(why({}), "");
+    for (const char* distance : {"100 um", "3 um"}) {
+        const std::string told = why({fmt::format("contact.zero_force_distance={}", distance)});
+        const std::size_t at = told.find("zero_force_distance = \"") + 23;
+        ASSERT_LT(at, told.size()) << told;
+        const std::string advised = told.substr(at, told.find('"', at) - at);
+        EXPECT_EQ(why({"contact.zero_force_distance=" + advised}), "") << advised;
+    }
 }
 
 TEST(StepLimits, of_the_default_tolerance_are_the_documented_ones) {
