@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "app/case_options.hpp"
 #include "app/layout_progress.hpp"
@@ -299,9 +300,9 @@ int check(const CheckOptions& options) {
     Model model = discretise(c, choice);
     const ThreadChoice threads = choose_threads(options.given.threads, c, choice);
     model.threads = threads.threads;
-    const State initial = initial_state(c, model, layout_progress(ProgressMode::automatic));
+    State initial = initial_state(c, model, layout_progress(ProgressMode::automatic));
     Appraisal a = appraise(c, choice, model, initial);
-    const Probe p = a.refused() ? Probe{} : probe(model, initial);
+    const Probe p = a.refused() ? Probe{} : probe(model, std::move(initial));
     if (p.unstable_step > 0)
         a.advice.push_back(
             {Advice::Weight::refuse,

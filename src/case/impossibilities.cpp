@@ -11,6 +11,7 @@
 
 #include "base/units.hpp"
 #include "case/channel_flow.hpp"
+#include "case/contact_at_start.hpp"
 #include "case/fit.hpp"
 #include "case/contact_at_start.hpp"
 #include "case/judge.hpp"
@@ -67,6 +68,18 @@ void judge_contact(Judge& judge, const MorseContact& contact) {
         judge.tell({"contact.range"},
                    fmt::format("range = {} must exceed zero_force_distance, {}; leave it out",
                                to_text(*contact.range), to_text(contact.zero_force_distance)));
+}
+
+/// Longer than a cell it would push each cell by its own image.
+void judge_repulsion(Judge& judge, const Case& c) {
+    const auto& range = c.contact.repulsion_range;
+    const Length radius = equivalent_radius(c);
+    if (!c.contact.short_range_repulsion || !range || *range <= radius) return;
+    judge.tell(
+        {"contact.repulsion_range"},
+        fmt::format("repulsion_range = {} is more than the radius of a cell, {}; write "
+                    "repulsion_range = \"{}\"",
+                    to_text(*range), to_text(radius), rounded_text(Length{0.05 * radius.si}, 2)));
 }
 
 /// The key that asks for the flow, and what to write for one so many times as fast.
@@ -222,6 +235,7 @@ std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
     judge_membrane(judge, c.membrane);
     if (c.contact.morse()) judge_contact(judge, *c.contact.morse());
     judge_rate(judge, c);
+    if (cells_have_size && !c.numerics.fluid_only) judge_repulsion(judge, c);
     if (cells_have_size) judge_shear_number(judge, c);
     if (cells_have_size) judge_grid(judge, c);
     judge_times(judge, c);

@@ -108,7 +108,7 @@ def follow(message, settings):
     beside = re.search(r"--set (\w+(?:\.\w+)*)\.\w+=", message)  # as in "needs aspect_ratio = 1.5"
     table = table or beside
     full = lambda word: word if "." in word else known.get(word, f"{table[1]}.{word}" if table else word)
-    if write := re.search(r'(?:write|needs) (?:at most )?([\w.]+) = ("[^"]*"|\[.*\]|[\w.+-]+)', message):
+    if write := re.search(r'(?:[Ww]rite|needs) (?:at most )?([\w.]+) = ("[^"]*"|\[.*\]|[\w.+-]+)', message):
         return {full(write[1]): write[2].strip('"')}
     if out := re.search(r"leave (?:it|(\w+)(?:, \w+)* and \w+|(\w+)) out", message):
         named = [w for w in re.findall(r"\w+", out[0]) if w in known]

@@ -63,14 +63,14 @@ TEST(Resolution, too_many_sites_are_made_fewer_without_losing_the_cells) {
 
 TEST(Resolution, cells_that_are_next_to_empty_are_refused_with_a_viscosity_that_is_not) {
     const Appraisal thin =
-        appraised("05-channel", {"plasma.viscosity=20 cP", "cells.cytoplasm_viscosity=0.001 cP"});
+        appraised("05-channel", {"plasma.viscosity=1e5 cP", "flow.pseudo_shear_rate=0.4 /s"});
     ASSERT_TRUE(thin.refused());
     const auto told = std::find_if(thin.advice.begin(), thin.advice.end(), [](const Advice& x) {
-        return x.text.find("cytoplasm_viscosity = \"20 uPa s\"") != std::string::npos;
+        return x.text.find("cytoplasm_viscosity = \"0.1 Pa s\"") != std::string::npos;
     });
     EXPECT_NE(told, thin.advice.end());
-    const std::vector<std::string> thick{"plasma.viscosity=20 cP",
-                                         "cells.cytoplasm_viscosity=20 uPa s"};
+    const std::vector<std::string> thick{"plasma.viscosity=1e5 cP", "flow.pseudo_shear_rate=0.4 /s",
+                                         "cells.cytoplasm_viscosity=100 cP"};
     EXPECT_FALSE(appraised("05-channel", thick).refused());
 }
 

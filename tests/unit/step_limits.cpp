@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "case/appraise.hpp"
 #include "case/choose.hpp"
 #include "case/contact_at_start.hpp"
@@ -67,6 +68,23 @@ TEST(ContactAtStart, that_would_burst_cells_is_refused_with_a_distance_that_help
         const std::string advised = told.substr(at, told.find('"', at) - at);
         EXPECT_EQ(why({"contact.zero_force_distance=" + advised}), "") << advised;
     }
+}
+
+TEST(ContactAtStart, a_repulsion_longer_than_a_cell_is_refused_with_a_range_that_is_not) {
+    const auto read = [](const std::string& range) {
+        return read_case(
+            TT_SOURCE_DIR "/cases/05-channel/case.toml",
+            {"contact.short_range_repulsion=true", "contact.repulsion_range=" + range});
+    };
+    try {
+        read("1 mm");
+        FAIL() << "it was taken";
+    } catch (const CaseError& error) {
+        EXPECT_NE(std::string(error.what()).find("write repulsion_range = \"0.2 um\""),
+                  std::string::npos)
+            << error.what();
+    }
+    EXPECT_NO_THROW(read("0.2 um"));
 }
 
 TEST(StepLimits, of_the_default_tolerance_are_the_documented_ones) {
