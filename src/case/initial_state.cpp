@@ -168,8 +168,8 @@ Suspension suspended_cells(const Case& c, const Model& m, const LayoutWatch& wat
 }
 
 /// The flow without cells: Couette between the walls, or the Poiseuille flow of the nominal rate.
-VectorField undisturbed_flow(const Model& m) {
-    VectorField velocity(m.lattice);
+VectorField<> undisturbed_flow(const Model& m) {
+    VectorField<> velocity(m.lattice);
     const double height = m.lattice.ny, mean = m.drive.target_velocity;
     for (int j = 0; j < m.lattice.ny; ++j) {
         const double y = j + 0.5;
@@ -183,26 +183,26 @@ VectorField undisturbed_flow(const Model& m) {
 
 /// Before the first step nodes move with the fluid around them: what an observer sees of them then,
 /// and nothing else, follows from it.
-void let_nodes_follow(State& state) {
-    Periodic().fill(state.velocity);
-    for (int cell = 0; cell < state.cells.cell_count(); ++cell)
-        interpolate(Order::zeroth, state.stencils, state.velocity, state.cells, cell);
+template <class Real>
+void let_nodes_follow(Sites<Real>& sites, Suspension& cells) {
+    Periodic().fill(sites.velocity);
+    for (int cell = 0; cell < cells.cell_count(); ++cell)
+        interpolate(Order::zeroth, sites.stencils, sites.velocity, cells, cell);
 }
 
 }  // namespace
 
 State initial_state(const Case& c, const Model& model, const LayoutWatch& watch) {
     State state;
-    state.populations = Populations(model.lattice, model.precision);
     state.cells = suspended_cells(c, model, watch);
     state.drive.body_force = model.drive.body_force;
     // Nothing is nearer than the reach of the contact forces; without them gaps are not measured.
     state.contact.smallest_gap = model.contact.range > 0.0 ? model.contact.range : std::nan("");
-    const VectorField flow =
-        c.flow.start == FluidStart::rest ? VectorField(model.lattice) : undisturbed_flow(model);
-    set_equilibrium(model.equilibrium, flow, model.boundaries.pressure_drop, state.populations);
+    start_flow(model,
+               c.flow.start == FluidStart::rest ? VectorField<>(model.lattice) : undisturbed_flow(model),
+               state);
     derive(model, state);
-    let_nodes_follow(state);
+    std::visit([&](auto& sites) { let_nodes_follow(sites, state.cells); }, state.sites);
     return state;
 }
 

@@ -12,22 +12,23 @@
 namespace tt {
 namespace {
 
-constexpr int width = Stencils::width;
+constexpr int width = Stencils<>::width;
 
 /// One axis of the stencils: positions in, block starts and weights out. Site k stands at k + ½.
+template <class Real>
 struct Axis {
     const double* position;
     int sites;
     double period;  ///< wraps the block start into the box; 0: no wrap
     std::int32_t* start;
-    double* weights;
-    double* slopes;
+    Real* weights;
+    Real* slopes;
 };
 
 /// Nodes are weighed a block at a time, side by side, and then laid out node by node: scattered
 /// stores would cost more than the arithmetic.
-template <class Kernel>
-TT_INLINE void weigh(const Axis& axis, int begin, int end) {
+template <class Kernel, class Real>
+TT_INLINE void weigh(const Axis<Real>& axis, int begin, int end) {
     constexpr int size = 64;
     double w0[size], w1[size], w2[size], w3[size], s0[size], s1[size], s2[size], s3[size];
     const double period = axis.period;
@@ -48,33 +49,43 @@ TT_INLINE void weigh(const Axis& axis, int begin, int end) {
             w0[n] = w[0], w1[n] = w[1], w2[n] = w[2], w3[n] = w[3];
             s0[n] = slopes[0], s1[n] = slopes[1], s2[n] = slopes[2], s3[n] = slopes[3];
         }
-        double* const __restrict weights = axis.weights + width * at;
-        double* const __restrict slopes = axis.slopes + width * at;
+        const auto four = [](double a, double b, double c, double d) TT_INLINE_LAMBDA {
+            return Four<Real>{Real(a), Real(b), Real(c), Real(d)};
+        };
+        Real* const __restrict weights = axis.weights + width * at;
+        Real* const __restrict slopes = axis.slopes + width * at;
         for (int n = 0; n < count; ++n) {
-            store_four(weights + width * n, Four{w0[n], w1[n], w2[n], w3[n]});
-            store_four(slopes + width * n, Four{s0[n], s1[n], s2[n], s3[n]});
+            store_four(weights + width * n, four(w0[n], w1[n], w2[n], w3[n]));
+            store_four(slopes + width * n, four(s0[n], s1[n], s2[n], s3[n]));
         }
     }
 }
 
-using Weigh = void (*)(const Axis&, int, int);
-
-// A function that the loader picks by processor cannot be a template: one line per kernel.
-TT_CLONES void weigh_cosine4(const Axis& axis, int begin, int end) {
+// A function that the loader picks by processor cannot be a template: one line per kernel and Real.
+TT_CLONES void weigh_axis(Cosine4, const Axis<double>& axis, int begin, int end) {
     weigh<Cosine4>(axis, begin, end);
 }
-TT_CLONES void weigh_hat2(const Axis& axis, int begin, int end) { weigh<Hat2>(axis, begin, end); }
-TT_CLONES void weigh_roma3(const Axis& axis, int begin, int end) { weigh<Roma3>(axis, begin, end); }
-TT_CLONES void weigh_peskin4(const Axis& axis, int begin, int end) {
+TT_CLONES void weigh_axis(Cosine4, const Axis<float>& axis, int begin, int end) {
+    weigh<Cosine4>(axis, begin, end);
+}
+TT_CLONES void weigh_axis(Hat2, const Axis<double>& axis, int begin, int end) {
+    weigh<Hat2>(axis, begin, end);
+}
+TT_CLONES void weigh_axis(Hat2, const Axis<float>& axis, int begin, int end) {
+    weigh<Hat2>(axis, begin, end);
+}
+TT_CLONES void weigh_axis(Roma3, const Axis<double>& axis, int begin, int end) {
+    weigh<Roma3>(axis, begin, end);
+}
+TT_CLONES void weigh_axis(Roma3, const Axis<float>& axis, int begin, int end) {
+    weigh<Roma3>(axis, begin, end);
+}
+TT_CLONES void weigh_axis(Peskin4, const Axis<double>& axis, int begin, int end) {
     weigh<Peskin4>(axis, begin, end);
 }
-
-struct WeighOf {
-    Weigh operator()(Cosine4) const { return weigh_cosine4; }
-    Weigh operator()(Hat2) const { return weigh_hat2; }
-    Weigh operator()(Roma3) const { return weigh_roma3; }
-    Weigh operator()(Peskin4) const { return weigh_peskin4; }
-};
+TT_CLONES void weigh_axis(Peskin4, const Axis<float>& axis, int begin, int end) {
+    weigh<Peskin4>(axis, begin, end);
+}
 
 /// Linear extrapolation from the two rows nearest to a wall, for a node so near that fewer than two
 /// carry weight.
@@ -121,30 +132,49 @@ void slope_one_sided(double y, int start, const double* w, double* slopes) {
     }
 }
 
+/// Both, for a node whose block sticks out.
+template <class Real>
+void weigh_one_sided(double y, int start, int ny, Real* weights, Real* slopes) {
+    double w[width], s[width];
+    std::copy_n(weights, width, w);
+    make_one_sided(y, start, ny, w);
+    slope_one_sided(y, start, w, s);
+    for (int k = 0; k < width; ++k) {
+        weights[k] = static_cast<Real>(w[k]);
+        slopes[k] = static_cast<Real>(s[k]);
+    }
+}
+
 }  // namespace
 
+template <class Real>
 void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
-            Stencils& stencils) {
+            Stencils<Real>& stencils) {
     TT_EXPECTS(static_cast<int>(stencils.i.size()) == cells.node_count());
     const auto [begin, end] = own_nodes(cells);
-    const Weigh weigh_axis = std::visit(WeighOf{}, delta);
     const int points = std::visit([](const auto& kernel) { return kernel.points; }, delta);
     if (team_rank() == 0) stencils.points = points;
     const double y_period = lattice.walls ? 0.0 : lattice.ny;
-    weigh_axis({cells.x.data(), lattice.nx, static_cast<double>(lattice.nx), stencils.i.data(),
-                stencils.wx.data(), stencils.sx.data()},
-               begin, end);
-    weigh_axis({cells.y.data(), lattice.ny, y_period, stencils.j.data(), stencils.wy.data(),
-                stencils.sy.data()},
-               begin, end);
-    if (lattice.walls) {
-        for (int n = begin; n < end; ++n) {
-            const int j = stencils.j[n];
-            if (j >= 0 && j + points <= lattice.ny) continue;
-            make_one_sided(cells.y[n], j, lattice.ny, &stencils.wy[width * n]);
-            slope_one_sided(cells.y[n], j, &stencils.wy[width * n], &stencils.sy[width * n]);
-        }
+    const Axis<Real> along_x{cells.x.data(),      lattice.nx,          double(lattice.nx),
+                             stencils.i.data(),   stencils.wx.data(),  stencils.sx.data()};
+    const Axis<Real> along_y{cells.y.data(),      lattice.ny,          y_period,
+                             stencils.j.data(),   stencils.wy.data(),  stencils.sy.data()};
+    std::visit(
+        [&, begin = begin, end = end](auto kernel) {
+            weigh_axis(kernel, along_x, begin, end);
+            weigh_axis(kernel, along_y, begin, end);
+        },
+        delta);
+    if (!lattice.walls) return;
+    for (int n = begin; n < end; ++n) {
+        const int j = stencils.j[n];
+        if (j >= 0 && j + points <= lattice.ny) continue;
+        weigh_one_sided(cells.y[n], j, lattice.ny, &stencils.wy[width * n],
+                        &stencils.sy[width * n]);
     }
 }
+
+template void locate(const Delta&, const Lattice&, const Suspension&, Stencils<double>&);
+template void locate(const Delta&, const Lattice&, const Suspension&, Stencils<float>&);
 
 }  // namespace tt

@@ -23,7 +23,7 @@ enum class Kind : std::uint8_t { mixed, plasma, layer, cytoplasm };
 
 /// Rates of each kind, rounded as those of a site of row j in the plasma or the layer are.
 template <class Mean, class Rule>
-std::array<Rates, Relaxation::kinds> rates_of_kinds(const ViscosityModel& model, const Mean& mean,
+std::array<Rates, Relaxation<>::kinds> rates_of_kinds(const ViscosityModel& model, const Mean& mean,
                                                     const Rule& collision) {
     return {Rates{}, collision.rates(mean(model.plasma, model.cytoplasm, 0.0)),
             collision.rates(mean(model.layer_viscosity, model.cytoplasm, 0.0)),
@@ -37,18 +37,20 @@ Kind plain_kind(const ViscosityModel& model, int j) {
 }
 
 /// One row of what depends on the fractions.
+template <class Real>
 struct FractionRow {
     int nx;
     double plain, cytoplasm;      ///< viscosities
     Kind plain_kind, inner_kind;  ///< of blocks without and full of cytoplasm
     double* __restrict fraction;
-    double* __restrict even;
-    double* __restrict odd;
+    Real* __restrict even;
+    Real* __restrict odd;
     std::uint8_t* __restrict kind;
 };
 
 /// Sets the kind of the whole blocks that the sites [begin, end) of a row belong to.
-TT_INLINE void set_kinds(const FractionRow& row, int begin, int end) {
+template <class Real>
+TT_INLINE void set_kinds(const FractionRow<Real>& row, int begin, int end) {
     constexpr int width = SiteBlocks::width;
     const int whole = row.nx / width;
     for (int b = begin / width; b < whole && b * width < end; ++b) {
@@ -65,15 +67,15 @@ TT_INLINE void set_kinds(const FractionRow& row, int begin, int end) {
 }
 
 /// Sets what follows from the fractions of the sites [begin, end) of a row.
-template <class Mean, class Rule>
-TT_INLINE void set_rates(const Mean& mean, const Rule& collision, const FractionRow& row, int begin,
-                         int end) {
-    const FractionRow to = row;
+template <class Mean, class Rule, class Real>
+TT_INLINE void set_rates(const Mean& mean, const Rule& collision, const FractionRow<Real>& row,
+                         int begin, int end) {
+    const FractionRow<Real> to = row;
     for (int i = begin; i < end; ++i) {
         const double f = lesser(1.0, greater(0.0, to.fraction[i]));
         const Rates rates = collision.rates(mean(to.plain, to.cytoplasm, f));
-        to.even[i] = rates.even;
-        to.odd[i] = rates.odd;
+        to.even[i] = static_cast<Real>(rates.even);
+        to.odd[i] = static_cast<Real>(rates.odd);
     }
     set_kinds(to, begin, end);
 }
@@ -89,8 +91,8 @@ TT_INLINE bool differ(const double* a, const double* b, int count) {
 /// Adds (now − before) to the fractions of `count` sites of a row from `column` on, and sets what
 /// follows where that changes them. Most of a row is far from the membrane and unchanged, so it is
 /// taken in blocks.
-template <class Mean, class Rule>
-TT_CLONES void change_run(const Mean& mean, const Rule& collision, const FractionRow& row,
+template <class Mean, class Rule, class Real>
+TT_CLONES void change_run(const Mean& mean, const Rule& collision, const FractionRow<Real>& row,
                           int column, const double* __restrict now, const double* __restrict before,
                           int count) {
     constexpr int block = Patch::lanes;
@@ -111,17 +113,17 @@ TT_CLONES void change_run(const Mean& mean, const Rule& collision, const Fractio
 }
 
 /// Where changed patches go: the fields, and the model's choices resolved.
-template <class Mean, class Rule>
+template <class Mean, class Rule, class Real>
 struct Target {
     const ViscosityModel& model;
     const Mean& mean;
     const Rule& collision;
-    Field& fraction;
-    Relaxation& relaxation;
+    Field<>& fraction;
+    Relaxation<Real>& relaxation;
 
     /// Row `j` of the box, columns `column` … unwrapped.
     void change_row(int j, int column, int count, const double* now, const double* before) const {
-        const FractionRow to = row(j);
+        const FractionRow<Real> to = row(j);
         for (int done = 0; done < count;) {
             const int i = wrapped(column + done, to.nx);
             const int run = std::min(count - done, to.nx - i);
@@ -130,7 +132,7 @@ struct Target {
         }
     }
 
-    FractionRow row(int j) const {
+    FractionRow<Real> row(int j) const {
         const Kind plain = plain_kind(model, j);
         return {fraction.lattice().nx,
                 plain_viscosity(model, j),
@@ -190,18 +192,20 @@ void change_rows(const T& target, const Patch& now, const Patch& before, std::pa
 }
 
 /// Calls `f(target)` with the model's mean and collision operator resolved.
-template <class F>
-void with_target(const ViscosityModel& model, Field& fraction, Relaxation& relaxation, F&& f) {
+template <class Real, class F>
+void with_target(const ViscosityModel& model, Field<>& fraction, Relaxation<Real>& relaxation,
+                 F&& f) {
     std::visit(
         [&]<class Mean, class Rule>(const Mean& mean, const Rule& rule) {
-            f(Target<Mean, Rule>{model, mean, rule, fraction, relaxation});
+            f(Target<Mean, Rule, Real>{model, mean, rule, fraction, relaxation});
         },
         model.mean, model.collision);
 }
 
 }  // namespace
 
-void set_all_rates(const ViscosityModel& model, Field& fraction, Relaxation& relaxation) {
+template <class Real>
+void set_all_rates(const ViscosityModel& model, Field<>& fraction, Relaxation<Real>& relaxation) {
     const Lattice& lattice = fraction.lattice();
     with_target(model, fraction, relaxation, [&](const auto& target) {
         relaxation.rates_of_kind = rates_of_kinds(model, target.mean, target.collision);
@@ -210,10 +214,18 @@ void set_all_rates(const ViscosityModel& model, Field& fraction, Relaxation& rel
     });
 }
 
+template <class Real>
 void change_patch(const ViscosityModel& model, const Patch& now, const Patch& before,
-                  std::pair<int, int> rows, Field& fraction, Relaxation& relaxation) {
+                  std::pair<int, int> rows, Field<>& fraction, Relaxation<Real>& relaxation) {
     with_target(model, fraction, relaxation,
                 [&](const auto& target) { change_rows(target, now, before, rows); });
 }
+
+template void set_all_rates(const ViscosityModel&, Field<>&, Relaxation<double>&);
+template void change_patch(const ViscosityModel&, const Patch&, const Patch&, std::pair<int, int>,
+                           Field<>&, Relaxation<double>&);
+template void set_all_rates(const ViscosityModel&, Field<>&, Relaxation<float>&);
+template void change_patch(const ViscosityModel&, const Patch&, const Patch&, std::pair<int, int>,
+                           Field<>&, Relaxation<float>&);
 
 }  // namespace tt

@@ -11,21 +11,23 @@
 namespace tt {
 namespace {
 
-constexpr int width = Stencils::width;
+constexpr int width = Stencils<>::width;
 /// How many nodes ahead the sites of a node are fetched: the fluid pass has driven them out of the
 /// near caches, and the way around an outline is none that the processor foresees. Sets cost only.
 constexpr int ahead = 12;
 
 /// What a thread adds to or clears: rows [begin, end) of one field pair.
+template <class Real>
 struct Rows {
     int begin;
     int end;
-    double* x;  ///< at site (0, 0)
-    double* y;
+    Real* x;  ///< at site (0, 0)
+    Real* y;
     std::ptrdiff_t pitch;
 };
 
-Rows rows_of(VectorField& field) {
+template <class Real>
+Rows<Real> rows_of(VectorField<Real>& field) {
     const Lattice& lattice = field.x.lattice();
     const auto [begin, end] = own_rows_with_halo(lattice);
     return {begin, end, field.x.row(0), field.y.row(0), lattice.pitch()};
@@ -45,7 +47,8 @@ struct Marks {
 
 /// Marks, in the row in which a block starts, the columns it covers, through the ends of the box if
 /// it must: then the last and the first block of sites are marked as well.
-void mark_starts(const Lattice& lattice, const Stencils& stencils, const Marks& marks) {
+template <class Real>
+void mark_starts(const Lattice& lattice, const Stencils<Real>& stencils, const Marks& marks) {
     constexpr unsigned sites = SiteBlocks::width;
     const int count = static_cast<int>(stencils.i.size());
     for (const int shift : {0, -lattice.ny, lattice.ny}) {
@@ -77,7 +80,8 @@ TT_CLONES void extend_upwards(const Marks& marks) {
 }
 
 /// Marks the sites near membranes in this thread's rows.
-void mark_near_membranes(const Lattice& lattice, Stencils& stencils) {
+template <class Real>
+void mark_near_membranes(const Lattice& lattice, Stencils<Real>& stencils) {
     thread_local std::vector<std::uint8_t> below;
     SiteBlocks& near = stencils.near_membranes;
     const auto [begin, end] = own_rows(lattice);
@@ -91,32 +95,33 @@ void mark_near_membranes(const Lattice& lattice, Stencils& stencils) {
 
 /// A node's force and dipole: on a site of weights w and slopes s the force is F wₓ wᵧ + D·(sₓ wᵧ,
 /// wₓ sᵧ).
-template <Order order>
-TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, const Rows& rows) {
+template <Order order, class Real>
+TT_INLINE void spread_nodes(const Stencils<Real>& stencils, const Suspension& cells,
+                            const Rows<Real>& rows) {
     const int count = cells.node_count();
     for (int n = 0; n < count; ++n) {
         const int j0 = stencils.j[n];
         const int first = std::max(rows.begin - j0, 0);
         const int last = std::min(rows.end - j0, stencils.points);
         if (first >= last) continue;
-        const Four wx = load_four(&stencils.wx[width * n]);
-        const Four sx = load_four(&stencils.sx[width * n]);
-        const double* const wy = &stencils.wy[width * n];
-        const double* const sy = &stencils.sy[width * n];
+        const Four<Real> wx = load_four(&stencils.wx[width * n]);
+        const Four<Real> sx = load_four(&stencils.sx[width * n]);
+        const Real* const wy = &stencils.wy[width * n];
+        const Real* const sy = &stencils.sy[width * n];
         // What goes along a row with its weight and, of the dipole, with its slope.
-        Four weighted_x = cells.fx[n] * wx, weighted_y = cells.fy[n] * wx;
-        Four sloped_x{}, sloped_y{};
+        Four<Real> weighted_x = Real(cells.fx[n]) * wx, weighted_y = Real(cells.fy[n]) * wx;
+        Four<Real> sloped_x{}, sloped_y{};
         if constexpr (order == Order::first) {
-            const double xx = cells.dipole_xx[n], xy = cells.dipole_xy[n];
+            const Real xx = Real(cells.dipole_xx[n]), xy = Real(cells.dipole_xy[n]);
             weighted_x += xx * sx;
             weighted_y += xy * sx;
             sloped_x = xy * wx;
             sloped_y = -xx * wx;
         }
-        double* x = rows.x + (j0 + first) * rows.pitch + stencils.i[n];
-        double* y = rows.y + (j0 + first) * rows.pitch + stencils.i[n];
+        Real* x = rows.x + (j0 + first) * rows.pitch + stencils.i[n];
+        Real* y = rows.y + (j0 + first) * rows.pitch + stencils.i[n];
         for (int l = first; l < last; ++l, x += rows.pitch, y += rows.pitch) {
-            Four given_x = wy[l] * weighted_x, given_y = wy[l] * weighted_y;
+            Four<Real> given_x = wy[l] * weighted_x, given_y = wy[l] * weighted_y;
             if constexpr (order == Order::first) {
                 given_x += sy[l] * sloped_x;
                 given_y += sy[l] * sloped_y;
@@ -128,24 +133,25 @@ TT_INLINE void spread_nodes(const Stencils& stencils, const Suspension& cells, c
 }
 
 /// Zeroes a row of both fields, halo included, but for the blocks that are not marked.
-TT_CLONES void clear_row(double* x, double* y, int nx, const std::uint8_t* marks, int blocks) {
+template <class Real>
+TT_INLINE void clear_row(Real* x, Real* y, int nx, const std::uint8_t* marks, int blocks) {
     constexpr int sites = SiteBlocks::width, halo = Lattice::halo;
-    for (double* const row : {x, y}) {
-        std::fill_n(row - halo, halo, 0.0);
-        std::fill_n(row + nx, halo, 0.0);
+    for (Real* const row : {x, y}) {
+        std::fill_n(row - halo, halo, Real{0});
+        std::fill_n(row + nx, halo, Real{0});
     }
     for (int b = 0; b < blocks; ++b) {
         if (!marks[b]) continue;
-        std::fill_n(x + b * sites, sites, 0.0);
-        std::fill_n(y + b * sites, sites, 0.0);
+        std::fill_n(x + b * sites, sites, Real{0});
+        std::fill_n(y + b * sites, sites, Real{0});
     }
 }
 
-template <Order order>
-TT_INLINE void interpolate_nodes(const Stencils& stencils, const VectorField& velocity,
+template <Order order, class Real>
+TT_INLINE void interpolate_nodes(const Stencils<Real>& stencils, const VectorField<Real>& velocity,
                                  Suspension& cells, int begin, int end) {
-    const double* const x = velocity.x.row(0);
-    const double* const y = velocity.y.row(0);
+    const Real* const x = velocity.x.row(0);
+    const Real* const y = velocity.y.row(0);
     const std::ptrdiff_t pitch = velocity.x.lattice().pitch();
     const auto fetch = [&](int n) TT_INLINE_LAMBDA {
         const std::ptrdiff_t corner = stencils.j[n] * pitch + stencils.i[n];
@@ -156,25 +162,25 @@ TT_INLINE void interpolate_nodes(const Stencils& stencils, const VectorField& ve
     };
     for (int n = begin; n < end; ++n) {
         fetch(std::min(n + ahead, cells.node_count() - 1));
-        const double* const wy = &stencils.wy[width * n];
-        const double* const sy = &stencils.sy[width * n];
+        const Real* const wy = &stencils.wy[width * n];
+        const Real* const sy = &stencils.sy[width * n];
         const std::ptrdiff_t corner = stencils.j[n] * pitch + stencils.i[n];
         // Sums along y for each column of the block, of u_x and u_y side by side: values and, for
         // the shear rate, slopes.
-        Eight values{}, slopes{};
+        Eight<Real> values{}, slopes{};
         for (int l = 0; l < stencils.points; ++l) {
-            const Eight row =
+            const Eight<Real> row =
                 both(load_four(x + corner + l * pitch), load_four(y + corner + l * pitch));
             values += wy[l] * row;
             if constexpr (order == Order::first) slopes += sy[l] * row;
         }
-        const Four wx = load_four(&stencils.wx[width * n]);
-        Eight rates{};  // ∂ₓuₓ − ∂ᵧuᵧ and ∂ₓuᵧ + ∂ᵧuₓ
+        const Four<Real> wx = load_four(&stencils.wx[width * n]);
+        Eight<Real> rates{};  // ∂ₓuₓ − ∂ᵧuᵧ and ∂ₓuᵧ + ∂ᵧuₓ
         if constexpr (order == Order::first) {
-            const Four sx = load_four(&stencils.sx[width * n]);
+            const Four<Real> sx = load_four(&stencils.sx[width * n]);
             rates = values * both(sx, sx) + swapped(slopes) * both(-wx, wx);
         }
-        const Four sums = sums_of(values * both(wx, wx), rates);
+        const Four<Real> sums = sums_of(values * both(wx, wx), rates);
         cells.ux[n] = sums[0];
         cells.uy[n] = sums[2];
         if constexpr (order == Order::first) {
@@ -184,50 +190,88 @@ TT_INLINE void interpolate_nodes(const Stencils& stencils, const VectorField& ve
     }
 }
 
-// A function that the loader picks by processor cannot be a template: one line per order.
-TT_CLONES void spread_forces(const Stencils& w, const Suspension& s, const Rows& r) {
+// A function that the loader picks by processor cannot be a template: one line per order and Real.
+TT_CLONES void clear_marked(double* x, double* y, int nx, const std::uint8_t* marks, int blocks) {
+    clear_row(x, y, nx, marks, blocks);
+}
+TT_CLONES void spread_forces(const Stencils<double>& w, const Suspension& s, const Rows<double>& r) {
     spread_nodes<Order::zeroth>(w, s, r);
 }
-TT_CLONES void spread_dipoles(const Stencils& w, const Suspension& s, const Rows& r) {
+TT_CLONES void spread_dipoles(const Stencils<double>& w, const Suspension& s, const Rows<double>& r) {
     spread_nodes<Order::first>(w, s, r);
 }
-TT_CLONES void interpolate_velocity(const Stencils& w, const VectorField& u, Suspension& s,
+TT_CLONES void interpolate_velocity(const Stencils<double>& w, const VectorField<double>& u, Suspension& s,
                                     int begin, int end) {
     interpolate_nodes<Order::zeroth>(w, u, s, begin, end);
 }
-TT_CLONES void interpolate_rate(const Stencils& w, const VectorField& u, Suspension& s, int begin,
-                                int end) {
+TT_CLONES void interpolate_rate(const Stencils<double>& w, const VectorField<double>& u, Suspension& s,
+                                int begin, int end) {
+    interpolate_nodes<Order::first>(w, u, s, begin, end);
+}
+TT_CLONES void clear_marked(float* x, float* y, int nx, const std::uint8_t* marks, int blocks) {
+    clear_row(x, y, nx, marks, blocks);
+}
+TT_CLONES void spread_forces(const Stencils<float>& w, const Suspension& s, const Rows<float>& r) {
+    spread_nodes<Order::zeroth>(w, s, r);
+}
+TT_CLONES void spread_dipoles(const Stencils<float>& w, const Suspension& s, const Rows<float>& r) {
+    spread_nodes<Order::first>(w, s, r);
+}
+TT_CLONES void interpolate_velocity(const Stencils<float>& w, const VectorField<float>& u, Suspension& s,
+                                    int begin, int end) {
+    interpolate_nodes<Order::zeroth>(w, u, s, begin, end);
+}
+TT_CLONES void interpolate_rate(const Stencils<float>& w, const VectorField<float>& u, Suspension& s,
+                                int begin, int end) {
     interpolate_nodes<Order::first>(w, u, s, begin, end);
 }
 
 }  // namespace
 
-void spread(Order order, Stencils& stencils, const Suspension& cells, VectorField& force) {
+template <class Real>
+void spread(Order order, Stencils<Real>& stencils, const Suspension& cells,
+            VectorField<Real>& force) {
     team_barrier();  // all nodes have their stencils and forces
     mark_near_membranes(force.x.lattice(), stencils);
-    (order == Order::zeroth ? spread_forces : spread_dipoles)(stencils, cells, rows_of(force));
+    const Rows<Real> rows = rows_of(force);
+    if (order == Order::zeroth)
+        spread_forces(stencils, cells, rows);
+    else
+        spread_dipoles(stencils, cells, rows);
 }
 
-void unspread(const Stencils& stencils, VectorField& force) {
-    const Rows rows = rows_of(force);
+template <class Real>
+void unspread(const Stencils<Real>& stencils, VectorField<Real>& force) {
+    const Rows<Real> rows = rows_of(force);
     const Lattice& lattice = force.x.lattice();
     const SiteBlocks& near = stencils.near_membranes;
     for (int j = rows.begin; j < rows.end; ++j) {
-        double* const x = force.x.row(j);
-        double* const y = force.y.row(j);
+        Real* const x = force.x.row(j);
+        Real* const y = force.y.row(j);
         if (j >= 0 && j < lattice.ny) {
-            clear_row(x, y, lattice.nx, near.row(j), near.per_row());
+            clear_marked(x, y, lattice.nx, near.row(j), near.per_row());
         } else {
-            std::fill(x - Lattice::halo, x + lattice.nx + Lattice::halo, 0.0);
-            std::fill(y - Lattice::halo, y + lattice.nx + Lattice::halo, 0.0);
+            std::fill(x - Lattice::halo, x + lattice.nx + Lattice::halo, Real{0});
+            std::fill(y - Lattice::halo, y + lattice.nx + Lattice::halo, Real{0});
         }
     }
 }
 
-void interpolate(Order order, const Stencils& stencils, const VectorField& velocity,
+template <class Real>
+void interpolate(Order order, const Stencils<Real>& stencils, const VectorField<Real>& velocity,
                  Suspension& cells, int cell) {
-    (order == Order::zeroth ? interpolate_velocity : interpolate_rate)(
-        stencils, velocity, cells, cells.first[cell], cells.first[cell + 1]);
+    const int begin = cells.first[cell], end = cells.first[cell + 1];
+    if (order == Order::zeroth)
+        interpolate_velocity(stencils, velocity, cells, begin, end);
+    else
+        interpolate_rate(stencils, velocity, cells, begin, end);
 }
+
+template void spread(Order, Stencils<double>&, const Suspension&, VectorField<double>&);
+template void unspread(const Stencils<double>&, VectorField<double>&);
+template void interpolate(Order, const Stencils<double>&, const VectorField<double>&, Suspension&, int);
+template void spread(Order, Stencils<float>&, const Suspension&, VectorField<float>&);
+template void unspread(const Stencils<float>&, VectorField<float>&);
+template void interpolate(Order, const Stencils<float>&, const VectorField<float>&, Suspension&, int);
 
 }  // namespace tt

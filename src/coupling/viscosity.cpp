@@ -85,18 +85,20 @@ void refresh_cell(const ViscosityModel& model, const Suspension& cells, Interior
 
 }  // namespace
 
+template <class Real>
 void rebuild_viscosity(const ViscosityModel& model, const Suspension& cells,
-                       InteriorState& interior, Relaxation& relaxation) {
+                       InteriorState& interior, Relaxation<Real>& relaxation) {
     interior.x = cells.x;
     interior.y = cells.y;
     restore_viscosity(model, cells, interior, relaxation);
 }
 
+template <class Real>
 void restore_viscosity(const ViscosityModel& model, const Suspension& cells,
-                       InteriorState& interior, Relaxation& relaxation) {
+                       InteriorState& interior, Relaxation<Real>& relaxation) {
     TT_EXPECTS(interior.x.size() == cells.x.size() && interior.y.size() == cells.y.size());
     const Lattice& lattice = relaxation.even.lattice();
-    interior.fraction = Field(lattice);
+    interior.fraction = Field<>(lattice);
     interior.patches.assign(cells.cell_count(), {});
     set_all_rates(model, interior.fraction, relaxation);
     for (int cell = 0; cell < cells.cell_count(); ++cell) {
@@ -113,12 +115,24 @@ void lay_cytoplasm(const ViscosityModel& model, const Suspension& cells, Interio
     for (int cell = begin; cell < end; ++cell) refresh_cell(model, cells, interior, cell);
 }
 
+template <class Real>
 void update_viscosity(const ViscosityModel& model, InteriorState& interior,
-                      Relaxation& relaxation) {
+                      Relaxation<Real>& relaxation) {
     const auto rows = own_rows(interior.fraction.lattice());
     for (const CellPatch& patch : interior.patches)
         if (patch.refreshed)
             change_patch(model, patch.now, patch.before, rows, interior.fraction, relaxation);
 }
+
+template void rebuild_viscosity(const ViscosityModel&, const Suspension&, InteriorState&,
+                                Relaxation<double>&);
+template void restore_viscosity(const ViscosityModel&, const Suspension&, InteriorState&,
+                                Relaxation<double>&);
+template void update_viscosity(const ViscosityModel&, InteriorState&, Relaxation<double>&);
+template void rebuild_viscosity(const ViscosityModel&, const Suspension&, InteriorState&,
+                                Relaxation<float>&);
+template void restore_viscosity(const ViscosityModel&, const Suspension&, InteriorState&,
+                                Relaxation<float>&);
+template void update_viscosity(const ViscosityModel&, InteriorState&, Relaxation<float>&);
 
 }  // namespace tt

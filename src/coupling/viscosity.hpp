@@ -48,7 +48,7 @@ struct CellPatch {
 
 /// Fraction of cytoplasm per site, and what it was made from.
 struct InteriorState {
-    Field fraction;  ///< 0 … 1; where cells overlap their fractions add up
+    Field<> fraction;  ///< 0 … 1; where cells overlap their fractions add up; exact, so in double
     /// Where each node was when its cell was last laid on the lattice. `fraction` and the
     /// relaxation rates are a function of these positions, not of the current ones: a checkpoint
     /// keeps them.
@@ -57,13 +57,15 @@ struct InteriorState {
 };
 
 /// Recomputes fraction and relaxation rates from the current outlines, from scratch. Allocates.
+template <class Real>
 void rebuild_viscosity(const ViscosityModel& model, const Suspension& cells,
-                       InteriorState& interior, Relaxation& relaxation);
+                       InteriorState& interior, Relaxation<Real>& relaxation);
 
 /// The same from the positions kept in `interior.x`, `interior.y`: after reading a checkpoint.
 /// Allocates.
+template <class Real>
 void restore_viscosity(const ViscosityModel& model, const Suspension& cells,
-                       InteriorState& interior, Relaxation& relaxation);
+                       InteriorState& interior, Relaxation<Real>& relaxation);
 
 /// After the membranes moved, lays anew the cells of which a node has moved by more than
 /// refresh_distance since they were last laid. Team function, by cells.
@@ -72,6 +74,8 @@ void lay_cytoplasm(const ViscosityModel& model, const Suspension& cells, Interio
 /// Brings fraction and relaxation rates up to date with the cells laid anew: touches only sites
 /// whose fraction changed. Gives the same bits as `restore_viscosity` from the same kept positions.
 /// Team function, by rows, once all cells are laid.
-void update_viscosity(const ViscosityModel& model, InteriorState& interior, Relaxation& relaxation);
+template <class Real>
+void update_viscosity(const ViscosityModel& model, InteriorState& interior,
+                      Relaxation<Real>& relaxation);
 
 }  // namespace tt

@@ -17,17 +17,25 @@ namespace tt {
 class Exchange {
 public:
     virtual ~Exchange() = default;
-    virtual void fill(Populations& populations) = 0;  ///< copies what the coming odd pass reads
-    virtual void fold(Populations& populations) = 0;  ///< moves what the odd pass left
-    virtual void fill(VectorField& field) = 0;        ///< copies
-    virtual void fold(VectorField& field) = 0;        ///< adds to the sites and clears the halo
+    /// Copies what the coming odd pass reads.
+    virtual void fill(Populations<double>& populations) = 0;
+    virtual void fill(Populations<float>& populations) = 0;
+    /// Moves what the odd pass left.
+    virtual void fold(Populations<double>& populations) = 0;
+    virtual void fold(Populations<float>& populations) = 0;
+    /// Copies.
+    virtual void fill(VectorField<double>& field) = 0;
+    virtual void fill(VectorField<float>& field) = 0;
+    /// Adds to the sites and clears the halo.
+    virtual void fold(VectorField<double>& field) = 0;
+    virtual void fold(VectorField<float>& field) = 0;
 };
 
 /// Ends a pass of `collide_and_stream`: halo in line, phase flipped, so that between steps every
 /// population can be read and the next pass can start. Team function; waits until all rows have
 /// been passed, and is done when all threads have returned.
-inline void settle(Exchange& exchange, Populations& populations) {
-    using Phase = Populations::Phase;
+template <class Real>
+void settle(Exchange& exchange, Populations<Real>& populations) {
     const Phase done = populations.phase;
     team_barrier();  // all rows have been passed
     if (done == Phase::even) {

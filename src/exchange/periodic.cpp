@@ -46,10 +46,11 @@ void for_each_own_row_with_halo(const Lattice& lattice, F&& f) {
 
 bool outside(const Lattice& lattice, int j) { return j < 0 || j >= lattice.ny; }
 
-void fill_row(Field& field, int j) {
+template <class Real>
+void fill_row(Field<Real>& field, int j) {
     const Lattice& lattice = field.lattice();
-    const double* const sites = field.row(wrapped(j, lattice.ny));
-    double* const row = field.row(j);
+    const Real* const sites = field.row(wrapped(j, lattice.ny));
+    Real* const row = field.row(j);
     if (outside(lattice, j)) std::copy(sites, sites + lattice.nx, row);
     for (int x = 1; x <= Lattice::halo; ++x) {
         row[-x] = sites[wrapped(-x, lattice.nx)];
@@ -58,58 +59,60 @@ void fill_row(Field& field, int j) {
 }
 
 /// Adds the ends of row j to the sites of row j and clears them.
-void fold_ends(Field& field, int j) {
+template <class Real>
+void fold_ends(Field<Real>& field, int j) {
     const Lattice& lattice = field.lattice();
-    double* const row = field.row(j);
+    Real* const row = field.row(j);
     for (int x = 1; x <= Lattice::halo; ++x) {
         row[wrapped(-x, lattice.nx)] += row[-x];
         row[wrapped(x - 1, lattice.nx)] += row[lattice.nx - 1 + x];
-        row[-x] = 0.0;
-        row[lattice.nx - 1 + x] = 0.0;
+        row[-x] = 0;
+        row[lattice.nx - 1 + x] = 0;
     }
 }
 
-void clear_row(Field& field, int j) {
-    double* const row = field.row(j);
-    std::fill(row - Lattice::halo, row + field.lattice().nx + Lattice::halo, 0.0);
+template <class Real>
+void clear_row(Field<Real>& field, int j) {
+    Real* const row = field.row(j);
+    std::fill(row - Lattice::halo, row + field.lattice().nx + Lattice::halo, Real{0});
 }
 
 /// Adds the rows outside to the rows they stand for and clears them; a share of columns each.
-void fold_rows(Field& field) {
+template <class Real>
+void fold_rows(Field<Real>& field) {
     const Lattice& lattice = field.lattice();
     const auto [begin, end] = team_share(lattice.nx);
     for (int j = -Lattice::halo; j < lattice.ny + Lattice::halo; ++j) {
         if (!outside(lattice, j)) continue;
-        double* const from = field.row(j);
-        double* const to = field.row(wrapped(j, lattice.ny));
+        Real* const from = field.row(j);
+        Real* const to = field.row(wrapped(j, lattice.ny));
         for (int x = begin; x < end; ++x) {
             to[x] += from[x];
-            from[x] = 0.0;
+            from[x] = 0;
         }
     }
 }
 
-}  // namespace
-
-void Periodic::fill(Populations& populations) {
-    populations.visit([&](auto* f) {
-        for_each_halo_run(populations.lattice(), [&](int i, int x, int y, int home_x, int home_y,
-                                                     int length) {
+template <class Real>
+void fill_sites(Populations<Real>& populations) {
+    Real* const f = populations.data();
+    for_each_halo_run(
+        populations.lattice(), [&](int i, int x, int y, int home_x, int home_y, int length) {
             copy(f + populations.row(i, home_y) + home_x, length, f + populations.row(i, y) + x);
         });
-    });
 }
 
-void Periodic::fold(Populations& populations) {
-    populations.visit([&](auto* f) {
-        for_each_halo_run(populations.lattice(), [&](int i, int x, int y, int home_x, int home_y,
-                                                     int length) {
+template <class Real>
+void fold_sites(Populations<Real>& populations) {
+    Real* const f = populations.data();
+    for_each_halo_run(
+        populations.lattice(), [&](int i, int x, int y, int home_x, int home_y, int length) {
             copy(f + populations.row(i, y) + x, length, f + populations.row(i, home_y) + home_x);
         });
-    });
 }
 
-void Periodic::fill(VectorField& field) {
+template <class Real>
+void fill_sites(VectorField<Real>& field) {
     const Lattice& lattice = field.x.lattice();
     if (!lattice.walls) team_barrier();  // rows of one end go to the other
     for_each_own_row_with_halo(lattice, [&](int j) {
@@ -119,10 +122,11 @@ void Periodic::fill(VectorField& field) {
     });
 }
 
-void Periodic::fold(VectorField& field) {
+template <class Real>
+void fold_sites(VectorField<Real>& field) {
     const Lattice& lattice = field.x.lattice();
     for_each_own_row_with_halo(lattice, [&](int j) {
-        for (Field* component : {&field.x, &field.y}) {
+        for (Field<Real>* component : {&field.x, &field.y}) {
             if (lattice.walls && outside(lattice, j)) {
                 clear_row(*component, j);
             } else {
@@ -136,5 +140,17 @@ void Periodic::fold(VectorField& field) {
     fold_rows(field.y);
     team_barrier();
 }
+
+}  // namespace
+
+// A virtual function cannot be a template: one line per Real.
+void Periodic::fill(Populations<double>& populations) { fill_sites(populations); }
+void Periodic::fill(Populations<float>& populations) { fill_sites(populations); }
+void Periodic::fold(Populations<double>& populations) { fold_sites(populations); }
+void Periodic::fold(Populations<float>& populations) { fold_sites(populations); }
+void Periodic::fill(VectorField<double>& field) { fill_sites(field); }
+void Periodic::fill(VectorField<float>& field) { fill_sites(field); }
+void Periodic::fold(VectorField<double>& field) { fold_sites(field); }
+void Periodic::fold(VectorField<float>& field) { fold_sites(field); }
 
 }  // namespace tt

@@ -23,6 +23,7 @@ struct Boundaries {
 ///   it makes the momentum ρu periodic, not u: the velocity differs by the factor 1 + Δρ between
 ///   the ends, as it must if mass is conserved; against a body force the momentum then agrees to
 ///   Δρ², the velocity to Δρ/2 (tests/physics/pressure_ends.cpp).
-void finish_departures(const Boundaries& boundaries, Populations& populations, int j);
+template <class Real>
+void finish_departures(const Boundaries& boundaries, Populations<Real>& populations, int j);
 
 }  // namespace tt

@@ -13,19 +13,19 @@
 
 namespace tt {
 
-/// One row of sites as the collision sees it: pointers to the first of `count` sites. `Real` is
-/// what populations are, double or float.
+/// One row of sites as the collision sees it: pointers to the first of `count` sites. All
+/// fields are in the same precision, double or float.
 template <class Real>
 struct RowOfSites {
     int count;
     std::array<Real*, d2q9::count> at;  ///< Populations::arrivals
-    const double* force_x;
-    const double* force_y;
+    const Real* force_x;
+    const Real* force_y;
     Vec2 body_force;
-    const double* even;  ///< ω⁺
-    const double* odd;   ///< ω⁻
-    double* velocity_x;
-    double* velocity_y;
+    const Real* even;  ///< ω⁺
+    const Real* odd;   ///< ω⁻
+    Real* velocity_x;
+    Real* velocity_y;
     /// Per block of sites: is there a force, and is the velocity wanted? Null: yes, everywhere.
     const std::uint8_t* near_membranes;
     const std::uint8_t* kind;  ///< per block of sites: Relaxation::kind
@@ -33,10 +33,11 @@ struct RowOfSites {
 };
 
 /// The relaxation rates of the sites of a row.
+template <class Real>
 struct RatesPerSite {
-    const double *even, *odd;
-    TT_INLINE double even_at(int i) const { return even[i]; }
-    TT_INLINE double odd_at(int i) const { return odd[i]; }
+    const Real *even, *odd;
+    TT_INLINE Real even_at(int i) const { return even[i]; }
+    TT_INLINE Real odd_at(int i) const { return odd[i]; }
 };
 
 /// The same rates on all sites.
@@ -86,10 +87,8 @@ TT_INLINE void collide_sites(const RowOfSites<Real>& row, const RatesOfSites& ra
     Real* const f0 = row.at[0];
     Real *const f1 = row.at[1], *const f2 = row.at[2], *const f3 = row.at[3], *const f4 = row.at[4];
     Real *const f5 = row.at[5], *const f6 = row.at[6], *const f7 = row.at[7], *const f8 = row.at[8];
-    const double* const force_x = row.force_x;
-    const double* const force_y = row.force_y;
-    double* const velocity_x = row.velocity_x;
-    double* const velocity_y = row.velocity_y;
+    const Real *const force_x = row.force_x, *const force_y = row.force_y;
+    Real *const velocity_x = row.velocity_x, *const velocity_y = row.velocity_y;
     const Real body_x = row.body_force.x, body_y = row.body_force.y;
 
 #pragma omp simd
@@ -104,8 +103,8 @@ TT_INLINE void collide_sites(const RowOfSites<Real>& row, const RatesOfSites& ra
         const Real density_deviation = rest + ((sum_x + sum_y) + (sum_r + sum_f));
         const Real flux_x = difference_x + (difference_r - difference_f);
         const Real flux_y = difference_y + (difference_r + difference_f);
-        const Real fx = near_membranes ? Real(force_x[i]) + body_x : body_x;
-        const Real fy = near_membranes ? Real(force_y[i]) + body_y : body_y;
+        const Real fx = near_membranes ? force_x[i] + body_x : body_x;
+        const Real fy = near_membranes ? force_y[i] + body_y : body_y;
         const Real momentum_x = flux_x + half * fx;
         const Real momentum_y = flux_y + half * fy;
         Real ux = momentum_x;
@@ -161,7 +160,7 @@ TT_INLINE void collide_sites(const RowOfSites<Real>& row, const RatesOfSites& ra
 template <class AnEquilibrium, class Real>
 TT_INLINE void collide_row_with(const RowOfSites<Real>& row) {
     constexpr int width = SiteBlocks::width;
-    const RatesPerSite per_site{row.even, row.odd};
+    const RatesPerSite<Real> per_site{row.even, row.odd};
     if (!row.near_membranes) return collide_sites<AnEquilibrium, true>(row, per_site, 0, row.count);
     const int blocks = (row.count + width - 1) / width;
     for (int b = 0; b < blocks;) {

@@ -6,37 +6,44 @@
 
 namespace tt {
 
+template <class Real>
 void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& boundaries,
-                        Vec2 body_force, const VectorField& force, const Relaxation& relaxation,
-                        Populations& populations, VectorField& velocity,
-                        const SiteBlocks* near_membranes) {
+                        Vec2 body_force, const VectorField<Real>& force,
+                        const Relaxation<Real>& relaxation, Populations<Real>& populations,
+                        VectorField<Real>& velocity, const SiteBlocks* near_membranes) {
     const Lattice& lattice = populations.lattice();
     TT_EXPECTS(force.x.lattice() == lattice && velocity.x.lattice() == lattice);
     TT_EXPECTS(relaxation.even.lattice() == lattice && relaxation.odd.lattice() == lattice);
-    populations.visit([&]<class Real>(Real* numbers) {
-        RowOfSites<Real> row{};
-        row.count = lattice.nx;
-        row.body_force = body_force;
-        row.rates_of_kind = relaxation.rates_of_kind.data();
-        const auto [begin, end] = own_rows(lattice);
-        // Upwards and downwards in turn: the rows of the end of one pass, still in the cache, are
-        // the first of the next. The order of sites does not matter to an update in place.
-        const bool upwards = populations.phase == Populations::Phase::even;
-        for (int n = 0; n < end - begin; ++n) {
-            const int j = upwards ? begin + n : end - 1 - n;
-            for (int i = 0; i < d2q9::count; ++i) row.at[i] = numbers + populations.arrivals(i, j);
-            row.force_x = force.x.row(j);
-            row.force_y = force.y.row(j);
-            row.even = relaxation.even.row(j);
-            row.odd = relaxation.odd.row(j);
-            row.kind = relaxation.kind.row(j);
-            row.velocity_x = velocity.x.row(j);
-            row.velocity_y = velocity.y.row(j);
-            row.near_membranes = near_membranes ? near_membranes->row(j) : nullptr;
-            std::visit([&](auto kind) { collide_row(kind, row); }, equilibrium);
-            finish_departures(boundaries, populations, j);
-        }
-    });
+    RowOfSites<Real> row{};
+    row.count = lattice.nx;
+    row.body_force = body_force;
+    row.rates_of_kind = relaxation.rates_of_kind.data();
+    const auto [begin, end] = own_rows(lattice);
+    // Upwards and downwards in turn: the rows of the end of one pass, still in the cache, are
+    // the first of the next. The order of sites does not matter to an update in place.
+    const bool upwards = populations.phase == Phase::even;
+    for (int n = 0; n < end - begin; ++n) {
+        const int j = upwards ? begin + n : end - 1 - n;
+        for (int i = 0; i < d2q9::count; ++i)
+            row.at[i] = populations.data() + populations.arrivals(i, j);
+        row.force_x = force.x.row(j);
+        row.force_y = force.y.row(j);
+        row.even = relaxation.even.row(j);
+        row.odd = relaxation.odd.row(j);
+        row.kind = relaxation.kind.row(j);
+        row.velocity_x = velocity.x.row(j);
+        row.velocity_y = velocity.y.row(j);
+        row.near_membranes = near_membranes ? near_membranes->row(j) : nullptr;
+        std::visit([&](auto kind) { collide_row(kind, row); }, equilibrium);
+        finish_departures(boundaries, populations, j);
+    }
 }
+
+template void collide_and_stream(const Equilibrium&, const Boundaries&, Vec2,
+                                 const VectorField<double>&, const Relaxation<double>&,
+                                 Populations<double>&, VectorField<double>&, const SiteBlocks*);
+template void collide_and_stream(const Equilibrium&, const Boundaries&, Vec2,
+                                 const VectorField<float>&, const Relaxation<float>&,
+                                 Populations<float>&, VectorField<float>&, const SiteBlocks*);
 
 }  // namespace tt

@@ -21,17 +21,20 @@ namespace tt {
 /// values it then replaces. Guo's forcing (Eq. 3 as
 /// corrected) split into its even and odd part, each with its own rate. Team function. `settle`
 /// (exchange.hpp) then flips the phase and brings the halo in line.
+template <class Real>
 void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& boundaries,
-                        Vec2 body_force, const VectorField& force, const Relaxation& relaxation,
-                        Populations& populations, VectorField& velocity,
+                        Vec2 body_force, const VectorField<Real>& force,
+                        const Relaxation<Real>& relaxation, Populations<Real>& populations,
+                        VectorField<Real>& velocity,
                         const SiteBlocks* near_membranes = nullptr);
 
 /// The same pass written plainly, out of place and site by site: the oracle of the fast one. Serial
 /// and slow; takes either phase, needs no halo (it wraps x, and y where there are no walls), and
 /// leaves phase even.
+template <class Real>
 void collide_and_stream_reference(const Equilibrium& equilibrium, const Boundaries& boundaries,
-                                  Vec2 body_force, const VectorField& force,
-                                  const Relaxation& relaxation, Populations& populations,
-                                  VectorField& velocity);
+                                  Vec2 body_force, const VectorField<Real>& force,
+                                  const Relaxation<Real>& relaxation,
+                                  Populations<Real>& populations, VectorField<Real>& velocity);
 
 }  // namespace tt

@@ -8,11 +8,12 @@ namespace {
 using Nine = std::array<double, d2q9::count>;
 
 /// The populations arriving at site (x, y), in either phase, without a halo.
-Nine arriving_at(const Populations& populations, int x, int y) {
+template <class Real>
+Nine arriving_at(const Populations<Real>& populations, int x, int y) {
     const Lattice& lattice = populations.lattice();
     Nine f{};
     for (int i = 0; i < d2q9::count; ++i) {
-        const bool home = populations.phase == Populations::Phase::even ||
+        const bool home = populations.phase == Phase::even ||
                           populations.wall_between(y, -d2q9::cy[i]);
         f[i] = home ? populations.slot(i, x, y)
                     : populations.slot(d2q9::opposite[i], wrapped(x - d2q9::cx[i], lattice.nx),
@@ -54,7 +55,8 @@ Nine collided(AnEquilibrium kind, const Nine& f, Vec2 force, double even, double
 
 /// Sends g away from site (x, y) into `next`, phase even: to the neighbour, through a periodic end,
 /// or half-way back from a wall.
-void stream(const Boundaries& boundaries, const Nine& g, int x, int y, Populations& next) {
+template <class Real>
+void stream(const Boundaries& boundaries, const Nine& g, int x, int y, Populations<Real>& next) {
     const Lattice& lattice = next.lattice();
     for (int i = 0; i < d2q9::count; ++i) {
         const int to_x = x + d2q9::cx[i];
@@ -74,12 +76,13 @@ void stream(const Boundaries& boundaries, const Nine& g, int x, int y, Populatio
 
 }  // namespace
 
+template <class Real>
 void collide_and_stream_reference(const Equilibrium& equilibrium, const Boundaries& boundaries,
-                                  Vec2 body_force, const VectorField& force,
-                                  const Relaxation& relaxation, Populations& populations,
-                                  VectorField& velocity) {
+                                  Vec2 body_force, const VectorField<Real>& force,
+                                  const Relaxation<Real>& relaxation,
+                                  Populations<Real>& populations, VectorField<Real>& velocity) {
     const Lattice& lattice = populations.lattice();
-    Populations next(lattice, populations.precision());
+    Populations<Real> next(lattice);
     for (int y = 0; y < lattice.ny; ++y) {
         for (int x = 0; x < lattice.nx; ++x) {
             const Nine f = arriving_at(populations, x, y);
@@ -90,12 +93,19 @@ void collide_and_stream_reference(const Equilibrium& equilibrium, const Boundari
                                     relaxation.odd(x, y), u);
                 },
                 equilibrium);
-            velocity.x(x, y) = u.x;
-            velocity.y(x, y) = u.y;
+            velocity.x(x, y) = static_cast<Real>(u.x);
+            velocity.y(x, y) = static_cast<Real>(u.y);
             stream(boundaries, g, x, y, next);
         }
     }
     populations = next;
 }
+
+template void collide_and_stream_reference(const Equilibrium&, const Boundaries&, Vec2,
+                                           const VectorField<double>&, const Relaxation<double>&,
+                                           Populations<double>&, VectorField<double>&);
+template void collide_and_stream_reference(const Equilibrium&, const Boundaries&, Vec2,
+                                           const VectorField<float>&, const Relaxation<float>&,
+                                           Populations<float>&, VectorField<float>&);
 
 }  // namespace tt

@@ -2,7 +2,8 @@
 
 namespace tt {
 
-Moments moments(const Populations& populations, int i, int j) {
+template <class Real>
+Moments moments(const Populations<Real>& populations, int i, int j) {
     Moments m;
     for (int k = 0; k < d2q9::count; ++k) {
         const double f = populations.arriving(k, i, j);
@@ -15,23 +16,23 @@ Moments moments(const Populations& populations, int i, int j) {
     return m;
 }
 
-std::vector<double> density_deviations(const Populations& populations, int j) {
+template <class Real>
+std::vector<double> density_deviations(const Populations<Real>& populations, int j) {
     std::vector<double> sums(static_cast<std::size_t>(populations.lattice().nx), 0.0);
-    populations.visit([&](const auto* numbers) {
-        for (int k = 0; k < d2q9::count; ++k) {
-            const auto* const arriving = numbers + populations.arrivals(k, j);
-            for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += arriving[i];
-        }
-    });
+    for (int k = 0; k < d2q9::count; ++k) {
+        const Real* const arriving = populations.data() + populations.arrivals(k, j);
+        for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += arriving[i];
+    }
     return sums;
 }
 
-void set_equilibrium(const Equilibrium& equilibrium, const VectorField& velocity,
-                     double pressure_drop, Populations& populations) {
+template <class Real>
+void set_equilibrium(const Equilibrium& equilibrium, const VectorField<>& velocity,
+                     double pressure_drop, Populations<Real>& populations) {
     const Lattice& lattice = populations.lattice();
     const double density_drop = pressure_drop / d2q9::sound_speed_squared;
     const auto deviation = [&](int i) { return (0.5 - (i + 0.5) / lattice.nx) * density_drop; };
-    populations.phase = Populations::Phase::even;
+    populations.phase = Phase::even;
     std::visit(
         [&](auto kind) {
             for (int k = 0; k < d2q9::count; ++k) {
@@ -45,5 +46,14 @@ void set_equilibrium(const Equilibrium& equilibrium, const VectorField& velocity
         },
         equilibrium);
 }
+
+template Moments moments(const Populations<double>&, int, int);
+template Moments moments(const Populations<float>&, int, int);
+template std::vector<double> density_deviations(const Populations<double>&, int);
+template std::vector<double> density_deviations(const Populations<float>&, int);
+template void set_equilibrium(const Equilibrium&, const VectorField<>&, double,
+                              Populations<double>&);
+template void set_equilibrium(const Equilibrium&, const VectorField<>&, double,
+                              Populations<float>&);
 
 }  // namespace tt

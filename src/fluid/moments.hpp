@@ -18,15 +18,18 @@ struct Moments {
 
 /// Moments of the populations arriving at site (i, j). In phase odd the halo must be filled
 /// (`settle` leaves it so).
-Moments moments(const Populations& populations, int i, int j);
+template <class Real>
+Moments moments(const Populations<Real>& populations, int i, int j);
 
 /// Density deviations of the sites of row j, those of `moments`.
-std::vector<double> density_deviations(const Populations& populations, int j);
+template <class Real>
+std::vector<double> density_deviations(const Populations<Real>& populations, int j);
 
 /// Sets every site to the equilibrium of the given velocity (zero: at rest) and of a density that
 /// falls evenly along x by that of `pressure_drop`, 1 in the middle: with the drop between the ends
 /// all in one place a wave of pressure would run through the channel. Phase even. Serial.
-void set_equilibrium(const Equilibrium& equilibrium, const VectorField& velocity,
-                     double pressure_drop, Populations& populations);
+template <class Real>
+void set_equilibrium(const Equilibrium& equilibrium, const VectorField<>& velocity,
+                     double pressure_drop, Populations<Real>& populations);
 
 }  // namespace tt

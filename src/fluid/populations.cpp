@@ -18,16 +18,13 @@ std::size_t plane_pitch(const Lattice& lattice, std::size_t size) {
 
 }  // namespace
 
-Populations::Populations(const Lattice& lattice, Precision precision)
+template <class Real>
+Populations<Real>::Populations(const Lattice& lattice)
     : lattice_(lattice),
-      plane_pitch_(
-          plane_pitch(lattice, precision == Precision::fp64 ? sizeof(double) : sizeof(float))) {
-    const std::size_t count = d2q9::count * plane_pitch_;
-    if (precision == Precision::fp64) {
-        numbers_.emplace<Numbers<double>>(count, 0.0);
-    } else {
-        numbers_.emplace<Numbers<float>>(count, 0.0F);
-    }
-}
+      plane_pitch_(plane_pitch(lattice, sizeof(Real))),
+      numbers_(d2q9::count * plane_pitch_, Real{0}) {}
+
+template class Populations<double>;
+template class Populations<float>;
 
 }  // namespace tt

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "grid/d2q9.hpp"
@@ -11,9 +10,8 @@
 
 namespace tt {
 
-/// Of the populations and of their collision. In fp32 rounding is relative to the deviation from
-/// rest as well, and membranes, forces and velocities stay in double.
-enum class Precision : std::uint8_t { fp64, fp32 };
+/// Where the populations lie, see below.
+enum class Phase : std::uint8_t { even, odd };
 
 /// The nine populations per site, stored as f_i − w_i (so that rounding is relative to the
 /// deviation from rest, not to ρ = 1), one plane per velocity, streamed in place by the AA pattern
@@ -30,32 +28,18 @@ enum class Precision : std::uint8_t { fp64, fp32 };
 /// into the wall is left in slot i of the site itself in both phases, where the same site finds it
 /// coming back.
 ///
-/// Loops over sites get at the numbers through `visit`; `row`, `arrivals` and `departures` tell
-/// where in them a row begins.
+/// `row`, `arrivals` and `departures` tell where in the numbers of `data` a row begins.
+template <class Real = double>
 class Populations {
 public:
-    enum class Phase : std::uint8_t { even, odd };
-
     Populations() = default;
-    explicit Populations(const Lattice& lattice, Precision precision = Precision::fp64);
+    explicit Populations(const Lattice& lattice);
 
     const Lattice& lattice() const { return lattice_; }
-    Precision precision() const {
-        return numbers_.index() == 0 ? Precision::fp64 : Precision::fp32;
-    }
     Phase phase = Phase::even;
 
-    /// Calls f with a pointer to all numbers, double* or float*.
-    template <class F>
-    decltype(auto) visit(F&& f) {
-        return std::visit([&](auto& numbers) -> decltype(auto) { return f(numbers.data()); },
-                          numbers_);
-    }
-    template <class F>
-    decltype(auto) visit(F&& f) const {
-        return std::visit([&](const auto& numbers) -> decltype(auto) { return f(numbers.data()); },
-                          numbers_);
-    }
+    Real* data() { return numbers_.data(); }
+    const Real* data() const { return numbers_.data(); }
 
     /// Place of slot `i` of site (0, j); those of the row follow.
     std::size_t row(int i, int j) const { return i * plane_pitch_ + lattice_.index(0, j); }
@@ -71,14 +55,13 @@ public:
     std::size_t departures(int i, int j) const { return arrivals(d2q9::opposite[i], j); }
 
     /// Population in slot i of site (x, y), less w_i. One at a time: for tests and set-up.
-    double slot(int i, int x, int y) const { return number(row(i, y) + x); }
+    double slot(int i, int x, int y) const { return numbers_[row(i, y) + x]; }
     void set_slot(int i, int x, int y, double value) {
-        visit(
-            [&]<class Real>(Real* numbers) { numbers[row(i, y) + x] = static_cast<Real>(value); });
+        numbers_[row(i, y) + x] = static_cast<Real>(value);
     }
     /// Population arriving at site (x, y) along c_i, less w_i. In phase odd the halo must be
     /// filled.
-    double arriving(int i, int x, int y) const { return number(arrivals(i, y) + x); }
+    double arriving(int i, int x, int y) const { return numbers_[arrivals(i, y) + x]; }
 
     /// Is there a wall between row j and row j + dy, dy = −1, 0 or 1?
     bool wall_between(int j, int dy) const {
@@ -89,16 +72,9 @@ public:
     friend bool operator==(const Populations&, const Populations&) = default;
 
 private:
-    template <class Real>
-    using Numbers = std::vector<Real, CacheAligned<Real>>;
-
-    double number(std::size_t place) const {
-        return visit([&](const auto* numbers) { return double(numbers[place]); });
-    }
-
     Lattice lattice_;
     std::size_t plane_pitch_ = 0;
-    std::variant<Numbers<double>, Numbers<float>> numbers_;
+    std::vector<Real, CacheAligned<Real>> numbers_;
 };
 
 }  // namespace tt

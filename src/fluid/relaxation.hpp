@@ -12,9 +12,10 @@ namespace tt {
 /// the viscosity, `odd` = 1/τ⁻ the antisymmetric part. BGK is the case odd = even, TRT ties them by
 /// (τ⁺ − ½)(τ⁻ − ½) = Λ. Stored, not derived in the kernel, because two divisions a site would cost
 /// as much as the rest of the collision.
+template <class Real = double>
 struct Relaxation {
-    Field even;
-    Field odd;
+    Field<Real> even;
+    Field<Real> odd;
 
     /// Most sites have one of few viscosities. `kind` marks the blocks of eight sites whose rates
     /// are all `rates_of_kind[kind]`, so that the pass need not load them; 0: any rates.
@@ -24,7 +25,7 @@ struct Relaxation {
 
     Relaxation() = default;
     explicit Relaxation(const Lattice& lattice)
-        : even(lattice, 1.0), odd(lattice, 1.0), kind(lattice) {}
+        : even(lattice, 1), odd(lattice, 1), kind(lattice) {}
 };
 
 }  // namespace tt

@@ -5,7 +5,8 @@
 namespace tt {
 namespace {
 
-TT_CLONES double sum_of(const double* values, int count) {
+template <class Real>
+TT_INLINE double sum_side_by_side(const Real* values, int count) {
     constexpr int lanes = 8;
     double lane[lanes] = {};
     int i = 0;
@@ -18,14 +19,27 @@ TT_CLONES double sum_of(const double* values, int count) {
     return sum;
 }
 
+// A function that the loader picks by processor cannot be a template: one line per Real.
+TT_CLONES double sum_of(const double* values, int count) { return sum_side_by_side(values, count); }
+TT_CLONES double sum_of(const float* values, int count) { return sum_side_by_side(values, count); }
+
 }  // namespace
 
-double sum_of_row(const Field& field, int j) { return sum_of(field.row(j), field.lattice().nx); }
+template <class Real>
+double sum_of_row(const Field<Real>& field, int j) {
+    return sum_of(field.row(j), field.lattice().nx);
+}
 
-double sum_over_sites(const Field& field) {
+template <class Real>
+double sum_over_sites(const Field<Real>& field) {
     double sum = 0.0;
     for (int j = 0; j < field.lattice().ny; ++j) sum += sum_of_row(field, j);
     return sum;
 }
+
+template double sum_of_row(const Field<double>&, int);
+template double sum_of_row(const Field<float>&, int);
+template double sum_over_sites(const Field<double>&);
+template double sum_over_sites(const Field<float>&);
 
 }  // namespace tt

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -23,38 +24,47 @@ struct CacheAligned {
     friend bool operator==(const CacheAligned&, const CacheAligned&) { return true; }
 };
 
-/// One number per site, halo included, row after row.
+/// Of all that the sites hold. In fp32 rounding of the populations is relative to the deviation from
+/// rest; membranes and their nodes stay in double.
+enum class Precision : std::uint8_t { fp64, fp32 };
+
+/// One number per site, halo included, row after row. `Real` is double or float: what the sites
+/// hold is all in the one or all in the other. Sums over sites are in double either way.
+template <class Real = double>
 class Field {
 public:
     Field() = default;
-    explicit Field(const Lattice& lattice, double value = 0.0)
+    explicit Field(const Lattice& lattice, Real value = 0)
         : lattice_(lattice), values_(lattice.size(), value) {}
 
     const Lattice& lattice() const { return lattice_; }
-    double& operator()(int i, int j) { return values_[lattice_.index(i, j)]; }
-    double operator()(int i, int j) const { return values_[lattice_.index(i, j)]; }
+    Real& operator()(int i, int j) { return values_[lattice_.index(i, j)]; }
+    Real operator()(int i, int j) const { return values_[lattice_.index(i, j)]; }
     /// Pointer to site (0, j); row(j)[i] is site (i, j), halo included.
-    double* row(int j) { return values_.data() + lattice_.index(0, j); }
-    const double* row(int j) const { return values_.data() + lattice_.index(0, j); }
-    double* data() { return values_.data(); }
-    const double* data() const { return values_.data(); }
+    Real* row(int j) { return values_.data() + lattice_.index(0, j); }
+    const Real* row(int j) const { return values_.data() + lattice_.index(0, j); }
+    Real* data() { return values_.data(); }
+    const Real* data() const { return values_.data(); }
     std::size_t size() const { return values_.size(); }
-    void fill(double value) { values_.assign(values_.size(), value); }
+    void fill(Real value) { values_.assign(values_.size(), value); }
 
 private:
     Lattice lattice_;
-    std::vector<double, CacheAligned<double>> values_;
+    std::vector<Real, CacheAligned<Real>> values_;
 };
 
 /// Sum over the sites of row j, over all sites. In a fixed order, eight sites of a row side by
 /// side.
-double sum_of_row(const Field& field, int j);
-double sum_over_sites(const Field& field);
+template <class Real>
+double sum_of_row(const Field<Real>& field, int j);
+template <class Real>
+double sum_over_sites(const Field<Real>& field);
 
 /// A vector per site, as two fields.
+template <class Real = double>
 struct VectorField {
-    Field x;
-    Field y;
+    Field<Real> x;
+    Field<Real> y;
 
     VectorField() = default;
     explicit VectorField(const Lattice& lattice) : x(lattice), y(lattice) {}

@@ -35,12 +35,12 @@ struct Change {
 /// Four nodes at a time: one sum would wait for each of its terms.
 TT_CLONES Change change_of_move(const Nodes& n) {
     const auto at = [](const double* p) TT_INLINE_LAMBDA { return load_four(p); };
-    Four area{}, gradient2{};
+    Four<double> area{}, gradient2{};
     int k = 1;
     for (; k + 4 < n.count; k += 4) {
-        const Four gx = 0.5 * (at(n.y + k + 1) - at(n.y + k - 1));
-        const Four gy = 0.5 * (at(n.x + k - 1) - at(n.x + k + 1));
-        const Four ux = at(n.ux + k), uy = at(n.uy + k);
+        const Four<double> gx = 0.5 * (at(n.y + k + 1) - at(n.y + k - 1));
+        const Four<double> gy = 0.5 * (at(n.x + k - 1) - at(n.x + k + 1));
+        const Four<double> ux = at(n.ux + k), uy = at(n.uy + k);
         area += (ux * gx + uy * gy) + 0.5 * (ux * at(n.uy + k + 1) - uy * at(n.ux + k + 1));
         gradient2 += gx * gx + gy * gy;
     }

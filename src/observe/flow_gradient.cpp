@@ -13,7 +13,8 @@ VelocityGradient mixed(const VelocityGradient& a, const VelocityGradient& b, dou
 
 }  // namespace
 
-VelocityGradient FlowView::at_edge(int i, int j) const {
+template <class Real>
+VelocityGradient FlowView<Real>::at_edge(int i, int j) const {
     const Vec2 by_x = 0.5 * (velocity_(column(i + 1), j) - velocity_(column(i - 1), j));
     // The wall stands half a site off: derivative of the parabola through −½, 0 and 1.
     if (lattice_.walls && j == 0) {
@@ -27,7 +28,8 @@ VelocityGradient FlowView::at_edge(int i, int j) const {
     return {by_x, 0.5 * (velocity_(i, row(j + 1)) - velocity_(i, row(j - 1)))};
 }
 
-VelocityGradient FlowView::at(Vec2 position) const {
+template <class Real>
+VelocityGradient FlowView<Real>::at(Vec2 position) const {
     const double left = std::floor(position.x - 0.5), below = std::floor(position.y - 0.5);
     const double s = position.x - 0.5 - left, t = position.y - 0.5 - below;
     const int i = column(static_cast<int>(left)), j = row(static_cast<int>(below));
@@ -38,12 +40,14 @@ VelocityGradient FlowView::at(Vec2 position) const {
     return mixed(low, high, t);
 }
 
-double FlowView::at_bottom_wall(int i) const {
+template <class Real>
+double FlowView<Real>::at_bottom_wall(int i) const {
     const double wall = boundaries_.bottom_speed;
     return -8.0 / 3.0 * wall + 3.0 * velocity_.x(i, 0) - velocity_.x(i, 1) / 3.0;
 }
 
-double FlowView::at_top_wall(int i) const {
+template <class Real>
+double FlowView<Real>::at_top_wall(int i) const {
     const int j = lattice_.ny - 1;
     const double wall = boundaries_.top_speed;
     return 8.0 / 3.0 * wall - 3.0 * velocity_.x(i, j) + velocity_.x(i, j - 1) / 3.0;
@@ -53,8 +57,7 @@ double principal_shear_rate(const VelocityGradient& gradient) {
     return norm(Vec2{gradient.by_x.x - gradient.by_y.y, gradient.by_x.y + gradient.by_y.x});
 }
 
-double local_viscosity(const Relaxation& relaxation, int i, int j) {
-    return (1.0 / relaxation.even(i, j) - 0.5) / 3.0;
-}
+template class FlowView<double>;
+template class FlowView<float>;
 
 }  // namespace tt

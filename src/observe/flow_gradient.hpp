@@ -15,9 +15,10 @@ struct VelocityGradient {
 
 /// A read-only look at the velocity field that knows what lies beyond its edges: the periodic image
 /// or the wall. Reads sites only, never the halo. Lattice units.
+template <class Real>
 class FlowView {
 public:
-    FlowView(const VectorField& velocity, const Boundaries& boundaries)
+    FlowView(const VectorField<Real>& velocity, const Boundaries& boundaries)
         : velocity_(velocity), boundaries_(boundaries), lattice_(velocity.x.lattice()) {}
 
     /// Column and row brought back into the box; y only where it is periodic.
@@ -46,7 +47,7 @@ private:
     }
     VelocityGradient at_edge(int i, int j) const;
 
-    const VectorField& velocity_;
+    const VectorField<Real>& velocity_;
     const Boundaries& boundaries_;
     const Lattice& lattice_;
 };
@@ -56,6 +57,9 @@ private:
 double principal_shear_rate(const VelocityGradient& gradient);
 
 /// Kinematic viscosity that a site's relaxation rate stands for, ν = (τ⁺ − ½)/3. Lattice units.
-double local_viscosity(const Relaxation& relaxation, int i, int j);
+template <class Real>
+double local_viscosity(const Relaxation<Real>& relaxation, int i, int j) {
+    return (1.0 / relaxation.even(i, j) - 0.5) / 3.0;
+}
 
 }  // namespace tt

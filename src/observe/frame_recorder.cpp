@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -22,6 +23,37 @@ std::vector<double> interleaved(const std::vector<double>& x, const std::vector<
     return pairs;
 }
 
+template <class Real>
+void add_flow(const Model& model, const Sites<Real>& sites, Frame& frame) {
+    const Lattice& lattice = model.lattice;
+    const Scales& scales = model.scales;
+    const double speed = scales.unit(Velocity::dimension);
+    const double pressure =
+        scales.unit(Pressure::dimension) * d2q9::sound_speed_squared;  // p = c_s² δρ
+    const std::size_t count = static_cast<std::size_t>(lattice.nx) * lattice.ny;
+    frame.velocity.resize(2 * count);
+    frame.pressure.resize(count);
+    for (int j = 0; j < lattice.ny; ++j) {
+        const std::vector<double> density_deviation = density_deviations(sites.populations, j);
+        const Real *const ux = sites.velocity.x.row(j), *const uy = sites.velocity.y.row(j);
+        const std::size_t row = static_cast<std::size_t>(j) * lattice.nx;
+        for (int i = 0; i < lattice.nx; ++i) {
+            frame.velocity[2 * (row + i)] = static_cast<float>(ux[i] * speed);
+            frame.velocity[2 * (row + i) + 1] = static_cast<float>(uy[i] * speed);
+            frame.pressure[row + i] = static_cast<float>(density_deviation[i] * pressure);
+        }
+    }
+}
+
+void add_cytoplasm(const Field<>& fraction, Frame& frame) {
+    const Lattice& lattice = fraction.lattice();
+    for (int j = 0; j < lattice.ny; ++j) {
+        const std::size_t row = static_cast<std::size_t>(j) * lattice.nx;
+        for (int i = 0; i < lattice.nx; ++i)
+            frame.cytoplasm[row + i] = static_cast<float>(fraction(i, j));
+    }
+}
+
 }  // namespace
 
 Frame membranes_of(const Snapshot& snapshot) {
@@ -40,31 +72,10 @@ Frame membranes_of(const Snapshot& snapshot) {
 Frame frame_of(const Snapshot& snapshot) {
     Frame frame = membranes_of(snapshot);
     const State& state = snapshot.state();
-    const Lattice& lattice = snapshot.model().lattice;
-    const Scales& scales = snapshot.model().scales;
-    const double speed = scales.unit(Velocity::dimension);
-    const double pressure =
-        scales.unit(Pressure::dimension) * d2q9::sound_speed_squared;  // p = c_s² δρ
-    const std::size_t sites = static_cast<std::size_t>(lattice.nx) * lattice.ny;
-    frame.velocity.resize(2 * sites);
-    frame.pressure.resize(sites);
-    frame.cytoplasm.resize(sites);
+    std::visit([&](const auto& sites) { add_flow(snapshot.model(), sites, frame); }, state.sites);
+    frame.cytoplasm.resize(frame.pressure.size());
     // A run without cells has no field of cytoplasm.
-    const bool cells = state.interior.fraction.size() > 0;
-    for (int j = 0; j < lattice.ny; ++j) {
-        const std::vector<double> density_deviation = density_deviations(state.populations, j);
-        const double *const ux = state.velocity.x.row(j), *const uy = state.velocity.y.row(j);
-        const std::size_t row = static_cast<std::size_t>(j) * lattice.nx;
-        for (int i = 0; i < lattice.nx; ++i) {
-            frame.velocity[2 * (row + i)] = static_cast<float>(ux[i] * speed);
-            frame.velocity[2 * (row + i) + 1] = static_cast<float>(uy[i] * speed);
-            frame.pressure[row + i] = static_cast<float>(density_deviation[i] * pressure);
-        }
-        if (!cells) continue;
-        const double* const fraction = state.interior.fraction.row(j);
-        for (int i = 0; i < lattice.nx; ++i)
-            frame.cytoplasm[row + i] = static_cast<float>(fraction[i]);
-    }
+    if (state.interior.fraction.size() > 0) add_cytoplasm(state.interior.fraction, frame);
     return frame;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <variant>
 
 #include "membrane/outline.hpp"
 
@@ -27,13 +28,11 @@ double tangential_shear_rate(const VelocityGradient& g, Vec2 n) {
     return 2.0 * n.x * n.y * (g.by_y.y - g.by_x.x) + (n.x * n.x - n.y * n.y) * twice_shear;
 }
 
-}  // namespace
-
-MembraneStress membrane_stress(const Model& model, const State& state, const PlasmaMap& plasma,
-                               int cell) {
+template <class Real>
+MembraneStress stress_on(const Outline& shape, const Model& model, const Sites<Real>& sites,
+                         const PlasmaMap& plasma, int cell) {
     const Lattice& lattice = model.lattice;
-    const Outline shape = outline(state.cells, cell);
-    const FlowView flow(state.velocity, model.boundaries);
+    const FlowView flow(sites.velocity, model.boundaries);
     const auto shear_rate = [&](int node, double distance) -> std::optional<double> {
         const Vec2 n = outward_normal(shape, node);
         const Vec2 position = shape[node] + distance * n;
@@ -53,10 +52,20 @@ MembraneStress membrane_stress(const Model& model, const State& state, const Pla
         const int row = flow.row(static_cast<int>(std::floor(shape.y[k])));
         const int j = std::clamp(row, 0, lattice.ny - 1);
         const double rate = principal_shear_rate(flow.at_site(i, j));
-        principal = std::max(principal, local_viscosity(state.relaxation, i, j) * rate);
+        principal = std::max(principal, local_viscosity(sites.relaxation, i, j) * rate);
     }
     if (traction < 0.0) traction = std::numeric_limits<double>::quiet_NaN();
     return {traction, principal};
+}
+
+}  // namespace
+
+MembraneStress membrane_stress(const Model& model, const State& state, const PlasmaMap& plasma,
+                               int cell) {
+    const Outline shape = outline(state.cells, cell);
+    return std::visit(
+        [&](const auto& sites) { return stress_on(shape, model, sites, plasma, cell); },
+        state.sites);
 }
 
 }  // namespace tt

@@ -1,5 +1,7 @@
 #include "observe/profiles.hpp"
 
+#include <variant>
+
 #include "membrane/outline.hpp"
 
 namespace tt {
@@ -19,7 +21,9 @@ std::vector<double> hematocrit_profile(const Lattice& lattice, const Suspension&
 Profiles measure_profiles(const Model& model, const State& state) {
     Profiles profiles;
     for (int j = 0; j < model.lattice.ny; ++j) {
-        const double mean = sum_of_row(state.velocity.x, j) / model.lattice.nx;
+        const double sum = std::visit(
+            [j](const auto& sites) { return sum_of_row(sites.velocity.x, j); }, state.sites);
+        const double mean = sum / model.lattice.nx;
         profiles.velocity.push_back(model.scales.to_si<Velocity>(mean).si);
     }
     profiles.hematocrit = hematocrit_profile(model.lattice, state.cells);

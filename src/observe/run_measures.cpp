@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <variant>
 
 #include "base/isa.hpp"
 #include "base/lesser.hpp"
@@ -25,13 +26,14 @@ struct WallStress {
     double bottom = 0.0;
     double top = 0.0;
 };
-WallStress stress_at_walls(const Model& model, const State& state) {
-    const FlowView flow(state.velocity, model.boundaries);
+template <class Real>
+WallStress stress_at_walls(const Model& model, const Sites<Real>& sites) {
+    const FlowView flow(sites.velocity, model.boundaries);
     const auto [nx, ny] = std::pair{model.lattice.nx, model.lattice.ny};
     WallStress sum;
     for (int i = 0; i < nx; ++i) {
-        sum.bottom += local_viscosity(state.relaxation, i, 0) * flow.at_bottom_wall(i);
-        sum.top += local_viscosity(state.relaxation, i, ny - 1) * flow.at_top_wall(i);
+        sum.bottom += local_viscosity(sites.relaxation, i, 0) * flow.at_bottom_wall(i);
+        sum.top += local_viscosity(sites.relaxation, i, ny - 1) * flow.at_top_wall(i);
     }
     return {sum.bottom / nx, sum.top / nx};
 }
@@ -63,19 +65,58 @@ void measure_flow(const Model& model, const State& state, RunMeasures& m) {
     m.mu_rel = viscosity / model.viscosity.plasma;
 }
 
-TT_CLONES double largest_square(const double* x, const double* y, int count) {
+template <class Real>
+TT_INLINE double largest_square_of(const Real* x, const Real* y, int count) {
     double largest = 0.0;
 #pragma omp simd reduction(max : largest)
-    for (int i = 0; i < count; ++i) largest = greater(largest, x[i] * x[i] + y[i] * y[i]);
+    for (int i = 0; i < count; ++i) {
+        const double ux = x[i], uy = y[i];
+        largest = greater(largest, ux * ux + uy * uy);
+    }
     return largest;
 }
 
-double largest_speed(const VectorField& velocity) {
+// A function that the loader picks by processor cannot be a template: one line per Real.
+TT_CLONES double largest_square(const double* x, const double* y, int count) {
+    return largest_square_of(x, y, count);
+}
+TT_CLONES double largest_square(const float* x, const float* y, int count) {
+    return largest_square_of(x, y, count);
+}
+
+template <class Real>
+double largest_speed(const VectorField<Real>& velocity) {
     const Lattice& lattice = velocity.x.lattice();
     double square = 0.0;
     for (int j = 0; j < lattice.ny; ++j)
         square = std::max(square, largest_square(velocity.x.row(j), velocity.y.row(j), lattice.nx));
     return std::sqrt(square);
+}
+
+template <class Real>
+double flux_of(const Model& model, const VectorField<Real>& velocity) {
+    double sum = sum_over_sites(velocity.x);
+    if (model.lattice.walls) {
+        const FlowView flow(velocity, model.boundaries);
+        for (int i = 0; i < model.lattice.nx; ++i) {
+            sum += (flow.at_top_wall(i) - flow.at_bottom_wall(i)) / 24.0;
+        }
+    }
+    return sum / model.lattice.nx;
+}
+
+/// Σ ν (∂u_x/∂y + ∂u_y/∂x) over the sites.
+template <class Real>
+double viscous_stress(const Model& model, const Sites<Real>& sites) {
+    const FlowView flow(sites.velocity, model.boundaries);
+    double sum = 0.0;
+    for (int j = 0; j < model.lattice.ny; ++j) {
+        for (int i = 0; i < model.lattice.nx; ++i) {
+            const VelocityGradient g = flow.at_site(i, j);
+            sum += local_viscosity(sites.relaxation, i, j) * (g.by_y.x + g.by_x.y);
+        }
+    }
+    return sum;
 }
 
 /// Σ A / (length × width), and Σ A_c v_c / length over the flux.
@@ -168,14 +209,8 @@ double mirrored_inclination(double inclination, double y, double mirror_height) 
 }
 
 double flux(const Model& model, const State& state) {
-    double sum = sum_over_sites(state.velocity.x);
-    if (model.lattice.walls) {
-        const FlowView flow(state.velocity, model.boundaries);
-        for (int i = 0; i < model.lattice.nx; ++i) {
-            sum += (flow.at_top_wall(i) - flow.at_bottom_wall(i)) / 24.0;
-        }
-    }
-    return sum / model.lattice.nx;
+    return std::visit([&](const auto& sites) { return flux_of(model, sites.velocity); },
+                      state.sites);
 }
 
 double driving_gradient(const Model& model, const State& state) {
@@ -183,21 +218,17 @@ double driving_gradient(const Model& model, const State& state) {
 }
 
 double wall_shear_stress(const Model& model, const State& state) {
-    const WallStress stress = stress_at_walls(model, state);
+    const WallStress stress = std::visit(
+        [&](const auto& sites) { return stress_at_walls(model, sites); }, state.sites);
     return 0.5 * (stress.bottom + (walls_drive(model) ? stress.top : -stress.top));
 }
 
 double balance_shear_stress(const Model& model, const State& state) {
     const Lattice& lattice = model.lattice;
     if (!walls_drive(model)) return 0.5 * lattice.ny * driving_gradient(model, state);
-    const FlowView flow(state.velocity, model.boundaries);
-    double viscous = 0.0, of_forces = 0.0;
-    for (int j = 0; j < lattice.ny; ++j) {
-        for (int i = 0; i < lattice.nx; ++i) {
-            const VelocityGradient g = flow.at_site(i, j);
-            viscous += local_viscosity(state.relaxation, i, j) * (g.by_y.x + g.by_x.y);
-        }
-    }
+    const double viscous =
+        std::visit([&](const auto& sites) { return viscous_stress(model, sites); }, state.sites);
+    double of_forces = 0.0;
     // About the mid-height, so that a net force (of cells on walls, say) weighs on both walls
     // alike.
     const Suspension& cells = state.cells;
@@ -213,7 +244,8 @@ RunMeasures measure_run(const Model& model, const State& state,
     m.time = Time{static_cast<double>(state.step) * model.scales.time};
     m.step = state.step;
     measure_flow(model, state, m);
-    const double fastest = largest_speed(state.velocity);
+    const double fastest =
+        std::visit([](const auto& sites) { return largest_speed(sites.velocity); }, state.sites);
     measure_hematocrit(model, cells, fastest, m);
     measure_shapes(model, cells, m);
     measure_extremes(cells, m);

@@ -39,15 +39,14 @@ void move_nodes(Suspension& cells, int cell) {
     move(&cells.uy[first], count, &cells.y[first]);
 }
 
-}  // namespace
-
-void advance(const Model& m, State& s, Exchange& x, FlowKept kept, StepTimes* times,
-             Health* health) {
+template <class Real>
+void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, FlowKept kept,
+             StepTimes* times, Health* health) {
     const bool everywhere = kept == FlowKept::everywhere || drive_looks_at(m, s.step);
     const bool first_step = s.step == 0;
     // Kept near membranes only, the velocity of a site takes the place of the force on it, which
     // the collision is the last to read: so much less to bring into the cache.
-    VectorField& velocity = everywhere ? s.velocity : s.force;
+    VectorField<Real>& velocity = everywhere ? sites.velocity : sites.force;
     const Order order = m.jump.has_dipole() ? Order::first : Order::zeroth;
     const auto done = [times](Pass pass) {
         if (times) times->lap(pass);
@@ -61,7 +60,7 @@ void advance(const Model& m, State& s, Exchange& x, FlowKept kept, StepTimes* ti
     add_pair_forces(m.contact, m.lattice, s.cells, s.contact);  // Eqs. 16–17
     done(Pass::contact);
 
-    locate(m.delta, m.lattice, s.cells, s.stencils);  // Eq. 8
+    locate(m.delta, m.lattice, s.cells, sites.stencils);  // Eq. 8
     set_dipoles(m.jump, s.cells);
     done(Pass::locate);
 
@@ -69,25 +68,25 @@ void advance(const Model& m, State& s, Exchange& x, FlowKept kept, StepTimes* ti
     done(Pass::viscosity);
 
     // … then of the rows of sites …
-    unspread(s.stencils, s.force);
-    spread(order, s.stencils, s.cells, s.force);  // Eq. 9
-    x.fold(s.force);
+    unspread(sites.stencils, sites.force);
+    spread(order, sites.stencils, s.cells, sites.force);  // Eq. 9
+    x.fold(sites.force);
     done(Pass::spread);
 
-    update_viscosity(m.viscosity, s.interior, s.relaxation);
+    update_viscosity(m.viscosity, s.interior, sites.relaxation);
     done(Pass::viscosity);
 
-    collide_and_stream(m.equilibrium, m.boundaries, {s.drive.body_force, 0.0}, s.force,
-                       s.relaxation, s.populations, velocity,
-                       everywhere ? nullptr : &s.stencils.near_membranes);  // Eqs. 1–4
+    collide_and_stream(m.equilibrium, m.boundaries, {s.drive.body_force, 0.0}, sites.force,
+                       sites.relaxation, sites.populations, velocity,
+                       everywhere ? nullptr : &sites.stencils.near_membranes);  // Eqs. 1–4
     x.fill(velocity);
-    settle(x, s.populations);  // waits until all velocities are there
+    settle(x, sites.populations);  // waits until all velocities are there
     done(Pass::fluid);
 
     // … and of the cells again.
     const auto [begin, end] = own_cells(s.cells);
     for (int cell = begin; cell < end; ++cell) {
-        interpolate(order, s.stencils, velocity, s.cells, cell);  // Eq. 7
+        interpolate(order, sites.stencils, velocity, s.cells, cell);  // Eq. 7
         correct_velocities(m.jump, s.cells, cell);
         average_in_time(s.cells, cell, first_step);
         if (m.membrane.hold_area) hold_area(s.cells, cell);
@@ -103,6 +102,13 @@ void advance(const Model& m, State& s, Exchange& x, FlowKept kept, StepTimes* ti
         ++s.step;
     });
     done(Pass::move);
+}
+
+}  // namespace
+
+void advance(const Model& m, State& s, Exchange& x, FlowKept kept, StepTimes* times,
+             Health* health) {
+    std::visit([&](auto& sites) { advance(m, sites, s, x, kept, times, health); }, s.sites);
 }
 
 }  // namespace tt

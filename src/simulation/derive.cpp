@@ -4,30 +4,59 @@
 
 namespace tt {
 
+namespace {
+
 /// u = Σ f c + ½ F of the uniform force: what an observer sees before the first step.
-void fill_velocity(const State& state, VectorField& velocity) {
-    const Lattice& lattice = velocity.x.lattice();
+template <class Real>
+void fill_velocity(const Populations<Real>& populations, double body_force,
+                   VectorField<Real>& velocity) {
+    const Lattice& lattice = populations.lattice();
     for (int j = 0; j < lattice.ny; ++j) {
         for (int i = 0; i < lattice.nx; ++i) {
-            const Vec2 momentum = moments(state.populations, i, j).momentum;
-            velocity.x(i, j) = momentum.x + 0.5 * state.drive.body_force;
-            velocity.y(i, j) = momentum.y;
+            const Vec2 momentum = moments(populations, i, j).momentum;
+            velocity.x(i, j) = static_cast<Real>(momentum.x + 0.5 * body_force);
+            velocity.y(i, j) = static_cast<Real>(momentum.y);
         }
     }
 }
 
-void derive(const Model& model, State& state) {
+template <class Real>
+void derive(const Model& model, Sites<Real>& sites, State& state) {
     const Lattice& lattice = model.lattice;
-    state.force = VectorField(lattice);
-    state.velocity = VectorField(lattice);
-    fill_velocity(state, state.velocity);
-    state.relaxation = Relaxation(lattice);
-    state.stencils = Stencils(lattice, state.cells.node_count());
-    locate(model.delta, lattice, state.cells, state.stencils);
+    sites.force = VectorField<Real>(lattice);
+    sites.velocity = VectorField<Real>(lattice);
+    fill_velocity(sites.populations, state.drive.body_force, sites.velocity);
+    sites.relaxation = Relaxation<Real>(lattice);
+    sites.stencils = Stencils<Real>(lattice, state.cells.node_count());
+    locate(model.delta, lattice, state.cells, sites.stencils);
     if (state.interior.x.size() == state.cells.x.size())  // kept by a checkpoint
-        restore_viscosity(model.viscosity, state.cells, state.interior, state.relaxation);
+        restore_viscosity(model.viscosity, state.cells, state.interior, sites.relaxation);
     else
-        rebuild_viscosity(model.viscosity, state.cells, state.interior, state.relaxation);
+        rebuild_viscosity(model.viscosity, state.cells, state.interior, sites.relaxation);
+}
+
+}  // namespace
+
+void fill_velocity(State& state) {
+    std::visit(
+        [&](auto& sites) {
+            fill_velocity(sites.populations, state.drive.body_force, sites.velocity);
+        },
+        state.sites);
+}
+
+void start_flow(const Model& model, const VectorField<>& velocity, State& state) {
+    state.sites = sites_at_rest(model.lattice, model.precision);
+    std::visit(
+        [&](auto& sites) {
+            set_equilibrium(model.equilibrium, velocity, model.boundaries.pressure_drop,
+                            sites.populations);
+        },
+        state.sites);
+}
+
+void derive(const Model& model, State& state) {
+    std::visit([&](auto& sites) { derive(model, sites, state); }, state.sites);
 }
 
 }  // namespace tt

@@ -6,8 +6,12 @@
 namespace tt {
 
 /// The velocity that belongs to the populations and the uniform force, at all sites: what a step
-/// would compute, but for the force of the membranes. `velocity` has the size.
-void fill_velocity(const State& state, VectorField& velocity);
+/// would compute, but for the force of the membranes.
+void fill_velocity(State& state);
+
+/// Lays out the sites in the model's precision, in the equilibrium of `velocity` and of the
+/// pressure drop (set_equilibrium).
+void start_flow(const Model& model, const VectorField<>& velocity, State& state);
 
 /// Sizes and fills all of a State that follows from its populations and cells: after building one,
 /// and after loading one. Precondition: populations are on the model's lattice.

@@ -14,8 +14,9 @@ void hold_flow(const Model& model, State& state) {
     const double height = lattice.ny;
     const double response =
         height * height / (std::numbers::pi * std::numbers::pi * model.viscosity.plasma);
-    const double mean =
-        sum_over_sites(state.velocity.x) / (static_cast<double>(lattice.nx) * lattice.ny);
+    const double sum =
+        std::visit([](const auto& sites) { return sum_over_sites(sites.velocity.x); }, state.sites);
+    const double mean = sum / (static_cast<double>(lattice.nx) * lattice.ny);
     const double error = model.drive.target_velocity - mean;
     drive.integral += 4.0 * error * drive_interval / response;
     drive.body_force = model.drive.body_force + (3.0 * error + drive.integral) / response;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -114,18 +115,29 @@ std::optional<Instability> node_places(const Model& model, const State& state, R
 }
 
 /// How many of a row's sites are not slower than allowed.
-TT_CLONES int count_too_fast(const double* ux, const double* uy, int count, double limit2) {
+template <class Real>
+TT_INLINE int count_fast_sites(const Real* ux, const Real* uy, int count, Real limit2) {
     int faults = 0;
 #pragma omp simd reduction(+ : faults)
     for (int i = 0; i < count; ++i) faults += ux[i] * ux[i] + uy[i] * uy[i] < limit2 ? 0 : 1;
     return faults;
 }
 
-std::optional<Instability> speeds(const Model& model, const State& state, double mach, Range rows) {
-    const double limit = mach * mach * d2q9::sound_speed_squared;
+// A function that the loader picks by processor cannot be a template: one line per Real.
+TT_CLONES int count_too_fast(const double* ux, const double* uy, int count, double limit2) {
+    return count_fast_sites(ux, uy, count, limit2);
+}
+TT_CLONES int count_too_fast(const float* ux, const float* uy, int count, float limit2) {
+    return count_fast_sites(ux, uy, count, limit2);
+}
+
+template <class Real>
+std::optional<Instability> speeds(const Model& model, const State& state,
+                                  const VectorField<Real>& velocity, double mach, Range rows) {
+    const Real limit = static_cast<Real>(mach * mach * d2q9::sound_speed_squared);
     for (int j = rows.first; j < rows.second; ++j) {
-        const double* const ux = state.velocity.x.row(j);
-        const double* const uy = state.velocity.y.row(j);
+        const Real* const ux = velocity.x.row(j);
+        const Real* const uy = velocity.y.row(j);
         if (count_too_fast(ux, uy, model.lattice.nx, limit) == 0) continue;
         int i = 0;
         while (ux[i] * ux[i] + uy[i] * uy[i] < limit) ++i;
@@ -240,7 +252,10 @@ std::optional<Instability> Health::examine(const Model& model, const State& stat
 std::optional<Instability> Health::examine(const Model& model, const State& state,
                                            const Share& share) const {
     if (auto found = node_places(model, state, share.cells)) return found;
-    if (auto found = speeds(model, state, limits_.mach, share.rows)) return found;
+    const auto too_fast = [&](const auto& sites) {
+        return speeds(model, state, sites.velocity, limits_.mach, share.rows);
+    };
+    if (auto found = std::visit(too_fast, state.sites)) return found;
     if (auto found = areas(model, state, limits_.area_error, share.cells)) return found;
     return crossings(model, state, share.cells);
 }

@@ -6,7 +6,7 @@
 #include "coupling/viscosity.hpp"
 #include "fluid/boundaries.hpp"
 #include "fluid/equilibrium.hpp"
-#include "fluid/populations.hpp"
+#include "grid/field.hpp"
 #include "grid/lattice.hpp"
 #include "interaction/contact.hpp"
 #include "membrane/forces.hpp"
@@ -28,7 +28,7 @@ struct Model {
     double density_scale =
         1.0;  ///< S: how much the simulated density, and with it the Reynolds number, is raised
     Equilibrium equilibrium;
-    Precision precision = Precision::fp64;  ///< of the populations
+    Precision precision = Precision::fp64;  ///< of what the sites hold
     Boundaries boundaries;
     Drive drive;
     ViscosityModel viscosity;

@@ -9,10 +9,11 @@ namespace tt {
 namespace {
 
 /// In phase even, whose halo nobody reads.
-template <class Kind>
-Populations rescaled(Kind kind, double ratio, Vec2 body_force, const Populations& before) {
+template <class Kind, class Real>
+Populations<Real> rescaled(Kind kind, double ratio, Vec2 body_force,
+                           const Populations<Real>& before) {
     const Lattice& lattice = before.lattice();
-    Populations after(lattice, before.precision());
+    Populations<Real> after(lattice);
     for (int j = 0; j < lattice.ny; ++j) {
         for (int i = 0; i < lattice.nx; ++i) {
             const Moments m = moments(before, i, j);
@@ -33,11 +34,12 @@ Populations rescaled(Kind kind, double ratio, Vec2 body_force, const Populations
 }  // namespace
 
 void change_time_step(const Model& model, double ratio, State& state) {
-    state.populations = std::visit(
-        [&](auto kind) {
-            return rescaled(kind, ratio, {state.drive.body_force, 0.0}, state.populations);
+    std::visit(
+        [&](auto kind, auto& sites) {
+            sites.populations =
+                rescaled(kind, ratio, {state.drive.body_force, 0.0}, sites.populations);
         },
-        model.equilibrium);
+        model.equilibrium, state.sites);
     Suspension& cells = state.cells;
     for (auto* per_step :
          {&cells.fx, &cells.fy, &cells.ux, &cells.uy, &cells.ux_sampled, &cells.uy_sampled}) {

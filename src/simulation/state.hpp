@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 
 #include "coupling/stencil.hpp"
 #include "coupling/viscosity.hpp"
+#include "fluid/moments.hpp"
 #include "fluid/populations.hpp"
 #include "fluid/relaxation.hpp"
 #include "interaction/contact.hpp"
@@ -13,6 +15,29 @@ namespace tt {
 
 /// Where a step leaves the fluid's velocity for others to look at. Nothing else depends on it.
 enum class FlowKept : std::uint8_t { everywhere, near_membranes };
+
+/// What the sites hold, and how the nodes meet them, in one precision. All but the populations is
+/// derived at every step.
+template <class Real>
+struct Sites {
+    Populations<Real> populations;
+    VectorField<Real> force;     ///< on the fluid, by the membranes; see `advance` for what it
+                                 ///< ends as
+    VectorField<Real> velocity;  ///< of the fluid, at the last step that kept it everywhere
+    Relaxation<Real> relaxation;
+    Stencils<Real> stencils;
+
+    Sites() = default;
+    /// At rest; without nodes.
+    explicit Sites(const Lattice& lattice)
+        : populations(lattice), force(lattice), velocity(lattice), relaxation(lattice) {}
+};
+using SitesInPrecision = std::variant<Sites<double>, Sites<float>>;
+
+inline SitesInPrecision sites_at_rest(const Lattice& lattice, Precision precision) {
+    if (precision == Precision::fp32) return Sites<float>(lattice);
+    return Sites<double>(lattice);
+}
 
 /// What the controller of the mean velocity remembers.
 struct DriveState {
@@ -24,17 +49,20 @@ struct DriveState {
 /// where the cytoplasm was last laid (interior.x, y); the rest is derived.
 struct State {
     std::int64_t step = 0;
-    Populations populations;
+    SitesInPrecision sites;
     Suspension cells;
     DriveState drive;
     ContactState contact;
 
-    // Derived from the above at every step.
-    VectorField force;     ///< on the fluid, by the membranes; see `advance` for what it ends as
-    VectorField velocity;  ///< of the fluid, at the last step that kept it everywhere
-    Relaxation relaxation;
-    InteriorState interior;
-    Stencils stencils;
+    InteriorState interior;  ///< derived from the above, but for the places kept in it
+
+    /// Velocity and moments of one site: for tests and set-up.
+    Vec2 velocity(int i, int j) const {
+        return std::visit([&](const auto& s) { return s.velocity(i, j); }, sites);
+    }
+    Moments moments(int i, int j) const {
+        return std::visit([&](const auto& s) { return tt::moments(s.populations, i, j); }, sites);
+    }
 };
 
 }  // namespace tt

@@ -51,16 +51,15 @@ std::string plane_name(int i) { return fmt::format("populations.{}", i); }
 
 /// One plane of populations without its halo, row after row. A float is a double too: no bit is
 /// lost.
-std::vector<double> sites(const Populations& populations, int i) {
+template <class Real>
+std::vector<double> plane_of(const Populations<Real>& populations, int i) {
     const Lattice& lattice = populations.lattice();
     std::vector<double> plane;
     plane.reserve(static_cast<std::size_t>(lattice.nx) * lattice.ny);
-    populations.visit([&](const auto* numbers) {
-        for (int j = 0; j < lattice.ny; ++j) {
-            const auto* const row = numbers + populations.row(i, j);
-            plane.insert(plane.end(), row, row + lattice.nx);
-        }
-    });
+    for (int j = 0; j < lattice.ny; ++j) {
+        const Real* const row = populations.data() + populations.row(i, j);
+        plane.insert(plane.end(), row, row + lattice.nx);
+    }
     return plane;
 }
 
@@ -68,23 +67,21 @@ std::vector<double> sites(const Populations& populations, int i) {
     throw DamagedArchive(fmt::format("the checkpoint cannot be loaded: {}", why));
 }
 
-void load_populations(const ArchiveReader& archive, const Model& model, Exchange& exchange,
-                      Populations& populations) {
-    const Lattice& lattice = model.lattice;
-    populations = Populations(lattice, model.precision);
+template <class Real>
+void load_populations(const ArchiveReader& archive, Exchange& exchange,
+                      Populations<Real>& populations) {
+    const Lattice& lattice = populations.lattice();
     const auto odd = archive.value<std::int64_t>("populations.odd") != 0;
-    populations.phase = odd ? Populations::Phase::odd : Populations::Phase::even;
+    populations.phase = odd ? Phase::odd : Phase::even;
     const auto nx = static_cast<std::size_t>(lattice.nx);
     for (int i = 0; i < d2q9::count; ++i) {
         const auto plane = archive.take<double>(plane_name(i));
         if (plane.size() != nx * lattice.ny) refuse("it is of another lattice");
-        populations.visit([&]<class Real>(Real* numbers) {
-            for (int j = 0; j < lattice.ny; ++j) {
-                const double* const from = plane.data() + nx * j;
-                std::transform(from, from + nx, numbers + populations.row(i, j),
-                               [](double f) { return static_cast<Real>(f); });
-            }
-        });
+        for (int j = 0; j < lattice.ny; ++j) {
+            const double* const from = plane.data() + nx * j;
+            std::transform(from, from + nx, populations.data() + populations.row(i, j),
+                           [](double f) { return static_cast<Real>(f); });
+        }
     }
     if (odd) exchange.fill(populations);  // as `settle` left it
 }
@@ -164,7 +161,12 @@ void expect_sound(const Lattice& lattice, const State& state) {
 
 void copy_saved(const State& from, State& to) {
     to.step = from.step;
-    to.populations = from.populations;
+    std::visit(
+        [&]<class Real>(const Sites<Real>& sites) {
+            if (!std::holds_alternative<Sites<Real>>(to.sites)) to.sites = Sites<Real>();
+            std::get<Sites<Real>>(to.sites).populations = sites.populations;
+        },
+        from.sites);
     to.cells = from.cells;
     to.drive = from.drive;
     to.contact.repulsion_count = from.contact.repulsion_count;
@@ -176,9 +178,14 @@ void copy_saved(const State& from, State& to) {
 void save_state(ArchiveOutput& archive, const State& state) {
     for_each_number(state, [&](const char* name, auto value) { archive.put_value(name, value); });
     for_each_array(state, [&](const char* name, const auto& values) { archive.put(name, values); });
-    archive.put_value<std::int64_t>("populations.odd",
-                                    state.populations.phase == Populations::Phase::odd);
-    for (int i = 0; i < d2q9::count; ++i) archive.put(plane_name(i), sites(state.populations, i));
+    std::visit(
+        [&](const auto& sites) {
+            const auto& populations = sites.populations;
+            archive.put_value<std::int64_t>("populations.odd", populations.phase == Phase::odd);
+            for (int i = 0; i < d2q9::count; ++i)
+                archive.put(plane_name(i), plane_of(populations, i));
+        },
+        state.sites);
 }
 
 State load_state(const ArchiveReader& archive, const Model& model, Exchange& exchange) {
@@ -191,7 +198,9 @@ State load_state(const ArchiveReader& archive, const Model& model, Exchange& exc
     });
     expect_sound(model.lattice, state);
     size_derived(state.cells);
-    load_populations(archive, model, exchange, state.populations);
+    state.sites = sites_at_rest(model.lattice, model.precision);
+    std::visit([&](auto& sites) { load_populations(archive, exchange, sites.populations); },
+               state.sites);
     // `derive` lays the cytoplasm where the nodes are now; the run goes on from where it was last
     // laid.
     const std::vector<double> x = state.interior.x;
@@ -209,10 +218,14 @@ std::uint64_t state_hash(const State& state) {
     for_each_array(state, [&](const char*, const auto& values) {
         sum.add(values.data(), values.size() * sizeof values[0]);
     });
-    for (int i = 0; i < d2q9::count; ++i) {
-        const std::vector<double> plane = sites(state.populations, i);
-        sum.add(plane.data(), plane.size() * sizeof(double));
-    }
+    std::visit(
+        [&](const auto& sites) {
+            for (int i = 0; i < d2q9::count; ++i) {
+                const std::vector<double> plane = plane_of(sites.populations, i);
+                sum.add(plane.data(), plane.size() * sizeof(double));
+            }
+        },
+        state.sites);
     return sum.value();
 }
 

@@ -27,7 +27,7 @@ Sums sums_of(const Experiment& e) {
     Sums sums;
     for (int j = 0; j < e.model.lattice.ny; ++j) {
         for (int i = 0; i < e.model.lattice.nx; ++i) {
-            const Moments m = moments(e.state.populations, i, j);
+            const Moments m = e.state.moments(i, j);
             sums.momentum += m.momentum;
             sums.mass += m.density_deviation;
         }

@@ -30,14 +30,19 @@ Model drop_model(const DropScene& scene, double tension) {
 /// Raises the pressure inside by γ/a before the first step, so that the drop need not first shrink
 /// to compress its fluid.
 void pressurise(Experiment& drop, double pressure) {
-    Populations& f = drop.state.populations;
     const Lattice& lattice = drop.model.lattice;
+    const auto raise = [&](int k, int i, int j) {
+        const double gain =
+            3.0 * pressure * d2q9::weight[k] * drop.state.interior.fraction(i, j);
+        std::visit(
+            [&](auto& sites) {
+                sites.populations.set_slot(k, i, j, sites.populations.slot(k, i, j) + gain);
+            },
+            drop.state.sites);
+    };
     for (int k = 0; k < d2q9::count; ++k) {
         for (int j = 0; j < lattice.ny; ++j) {
-            for (int i = 0; i < lattice.nx; ++i)
-                f.set_slot(k, i, j,
-                           f.slot(k, i, j) + 3.0 * pressure * d2q9::weight[k] *
-                                                 drop.state.interior.fraction(i, j));
+            for (int i = 0; i < lattice.nx; ++i) raise(k, i, j);
         }
     }
 }
@@ -79,7 +84,7 @@ LaplacePressure laplace_pressure(double radius, double tension) {
     rest.advance_by(static_cast<std::int64_t>(6.0 * radius * radius / scene.viscosity));
 
     const auto pressure = [&](int i, int j) {
-        return moments(rest.state.populations, i, j).density_deviation / 3.0;
+        return rest.state.moments(i, j).density_deviation / 3.0;
     };
     const double drop = pressure(m.lattice.nx / 2, m.lattice.ny / 2) - pressure(0, 0);
     const double present = std::sqrt(signed_area(outline(rest.state.cells, 0)) / pi);

@@ -10,17 +10,16 @@ namespace tt {
 
 Experiment::Experiment(const Case& c) : model(discretise(c)), state(initial_state(c, model)) {}
 
-Experiment::Experiment(const Model& m, const Suspension& cells, const VectorField& velocity)
+Experiment::Experiment(const Model& m, const Suspension& cells, const VectorField<>& velocity)
     : model(m) {
-    state.populations = Populations(model.lattice, model.precision);
     state.cells = cells;
     state.drive.body_force = model.drive.body_force;
-    set_equilibrium(model.equilibrium, velocity, model.boundaries.pressure_drop, state.populations);
+    start_flow(model, velocity, state);
     derive(model, state);
 }
 
 Experiment::Experiment(const Model& m, const Suspension& cells)
-    : Experiment(m, cells, VectorField(m.lattice)) {}
+    : Experiment(m, cells, VectorField<>(m.lattice)) {}
 
 void Experiment::advance_by(std::int64_t steps) {
     if (steps <= 0) return;
@@ -33,8 +32,8 @@ void Experiment::advance_to_strain(double strain) {
     advance_by(end - state.step);
 }
 
-VectorField simple_shear(const Lattice& lattice, double rate) {
-    VectorField velocity(lattice);
+VectorField<> simple_shear(const Lattice& lattice, double rate) {
+    VectorField<> velocity(lattice);
     for (int j = 0; j < lattice.ny; ++j) {
         for (int i = 0; i < lattice.nx; ++i) velocity.x(i, j) = rate * (j + 0.5 - 0.5 * lattice.ny);
     }

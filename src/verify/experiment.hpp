@@ -21,7 +21,7 @@ struct Experiment {
     /// What `run` would start from this case.
     explicit Experiment(const Case& c);
     /// Cells in a fluid of density 1 and this velocity; the drive's body force acts from the start.
-    Experiment(const Model& m, const Suspension& cells, const VectorField& velocity);
+    Experiment(const Model& m, const Suspension& cells, const VectorField<>& velocity);
     Experiment(const Model& m, const Suspension& cells);  ///< the fluid at rest
 
     /// On `model.threads` threads. Throws SimulationError if it blows up.
@@ -33,7 +33,7 @@ struct Experiment {
 };
 
 /// The velocity (k (y − H/2), 0) between walls H apart.
-VectorField simple_shear(const Lattice& lattice, double rate);
+VectorField<> simple_shear(const Lattice& lattice, double rate);
 
 /// A model of uniform viscosity without drive, cells' laws or contact: the start of a scene.
 /// Lattice units; `scales` is such that SI and lattice values are the same number.
