@@ -54,9 +54,10 @@ struct Run {
     }
 };
 
+template <class Real>
 void coupled_step(benchmark::State& bench, const char* precision) {
     Run run(static_cast<int>(bench.range(0)), static_cast<int>(bench.range(1)), precision);
-    Flow arrays = roof_of(run.model.lattice, run.model.precision);
+    Flow<Real> arrays = roof_of<Real>(run.model.lattice);
     Best step_time, roof_time;
     for (auto _ : bench) {
         roof_time.time([&] {
@@ -100,8 +101,8 @@ void lengths(benchmark::internal::Benchmark* b) {
     b->ArgName("channels")->Arg(1)->Arg(10)->Arg(100);
 }
 
-BENCHMARK_CAPTURE(coupled_step, double, "double")->Apply(lengths_and_threads);
-BENCHMARK_CAPTURE(coupled_step, single, "single")->Apply(lengths_and_threads);
+BENCHMARK_CAPTURE(coupled_step<double>, double, "double")->Apply(lengths_and_threads);
+BENCHMARK_CAPTURE(coupled_step<float>, single, "single")->Apply(lengths_and_threads);
 BENCHMARK_CAPTURE(split_step, double, "double")->Apply(lengths);
 BENCHMARK_CAPTURE(split_step, single, "single")->Apply(lengths);
 

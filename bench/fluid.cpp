@@ -16,7 +16,7 @@ namespace {
 
 using namespace tt;
 
-template <class AnEquilibrium, Precision precision = Precision::fp64>
+template <class AnEquilibrium, class Real = double>
 void fluid_pass(benchmark::State& state) {
     const Lattice lattice{static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), true};
     const int threads = static_cast<int>(state.range(2));
@@ -24,8 +24,8 @@ void fluid_pass(benchmark::State& state) {
     const Boundaries boundaries{-0.01, 0.01, 0.0};
     const long long sites = static_cast<long long>(lattice.nx) * lattice.ny;
     const int pairs = static_cast<int>(std::max(1LL, 80'000 / sites));
-    Flow flow(lattice, precision);
-    Flow roof = roof_of(lattice, precision);
+    Flow<Real> flow(lattice);
+    Flow<Real> roof = roof_of<Real>(lattice);
     Periodic exchange;
     Best pass_time;
     Best roof_time;
@@ -63,7 +63,7 @@ void sizes(benchmark::internal::Benchmark* b) {
 BENCHMARK(fluid_pass<LinearEquilibrium>)->Apply(sizes);
 BENCHMARK(fluid_pass<IncompressibleEquilibrium>)->Apply(sizes);
 BENCHMARK(fluid_pass<FullEquilibrium>)->Apply(sizes);
-BENCHMARK(fluid_pass<LinearEquilibrium, Precision::fp32>)->Apply(sizes);
-BENCHMARK(fluid_pass<IncompressibleEquilibrium, Precision::fp32>)->Apply(sizes);
+BENCHMARK(fluid_pass<LinearEquilibrium, float>)->Apply(sizes);
+BENCHMARK(fluid_pass<IncompressibleEquilibrium, float>)->Apply(sizes);
 
 }  // namespace

@@ -16,21 +16,23 @@
 namespace tt {
 
 /// The arrays of a fluid pass.
+template <class Real>
 struct Flow {
-    VectorField force;
-    VectorField velocity;
-    Relaxation relaxation;
-    Populations populations;
+    VectorField<Real> force;
+    VectorField<Real> velocity;
+    Relaxation<Real> relaxation;
+    Populations<Real> populations;
 
-    explicit Flow(const Lattice& lattice, Precision precision)
-        : force(lattice), velocity(lattice), relaxation(lattice), populations(lattice, precision) {
+    explicit Flow(const Lattice& lattice)
+        : force(lattice), velocity(lattice), relaxation(lattice), populations(lattice) {
         Random random(1);
         for (int j = 0; j < lattice.ny; ++j) {
             for (int i = 0; i < lattice.nx; ++i) {
-                force.x(i, j) = random.uniform(-1e-5, 1e-5);
-                force.y(i, j) = random.uniform(-1e-5, 1e-5);
-                relaxation.even(i, j) = random.uniform(0.5, 1.5);
-                relaxation.odd(i, j) = Trt{}.odd_rate(relaxation.even(i, j));
+                force.x(i, j) = static_cast<Real>(random.uniform(-1e-5, 1e-5));
+                force.y(i, j) = static_cast<Real>(random.uniform(-1e-5, 1e-5));
+                const double even = random.uniform(0.5, 1.5);
+                relaxation.even(i, j) = static_cast<Real>(even);
+                relaxation.odd(i, j) = static_cast<Real>(Trt{}.odd_rate(even));
             }
         }
     }
@@ -39,19 +41,19 @@ struct Flow {
 template <class Real>
 struct RowOfArrays {
     Real* plane[d2q9::count];
-    const double *force_x, *force_y, *even, *odd;
-    double *velocity_x, *velocity_y;
+    const Real *force_x, *force_y, *even, *odd;
+    Real *velocity_x, *velocity_y;
 };
 
 template <class Real>
 TT_INLINE void update(const RowOfArrays<Real>& row, int count) {
     const auto [p0, p1, p2, p3, p4, p5, p6, p7, p8] = row.plane;
     const auto [plane, force_x, force_y, even, odd, velocity_x, velocity_y] = row;
-    const auto scale = [](Real& f, double by) { f = static_cast<Real>(f * by); };
+    const auto scale = [](Real& f, Real by) { f *= by; };
 #pragma omp simd
     for (int i = 0; i < count; ++i) {
-        const double a = even[i];
-        const double b = odd[i];
+        const Real a = even[i];
+        const Real b = odd[i];
         velocity_x[i] = a * force_x[i];
         velocity_y[i] = b * force_y[i];
         scale(p0[i], a), scale(p1[i], b), scale(p2[i], a), scale(p3[i], b), scale(p4[i], a);
@@ -67,31 +69,31 @@ TT_INLINE void update(const RowOfArrays<Real>& row, int count) {
 }
 
 /// Arrays to be updated as often as one likes: with rates of one they stay as they are.
-inline Flow roof_of(const Lattice& lattice, Precision precision) {
-    Flow flow(lattice, precision);
-    flow.relaxation = Relaxation(lattice);
+template <class Real>
+Flow<Real> roof_of(const Lattice& lattice) {
+    Flow<Real> flow(lattice);
+    flow.relaxation = Relaxation<Real>(lattice);
     return flow;
 }
 
 /// Two updates of everything the pass touches. Team function.
-inline void update_twice(Flow& flow) {
+template <class Real>
+void update_twice(Flow<Real>& flow) {
     const Lattice& lattice = flow.populations.lattice();
     const auto [begin, end] = team_share(lattice.ny);
     for (int pass = 0; pass < 2; ++pass) {
-        flow.populations.visit([&]<class Real>(Real* numbers) {
-            for (int j = begin; j < end; ++j) {
-                RowOfArrays<Real> row{{},
-                                      flow.force.x.row(j),
-                                      flow.force.y.row(j),
-                                      flow.relaxation.even.row(j),
-                                      flow.relaxation.odd.row(j),
-                                      flow.velocity.x.row(j),
-                                      flow.velocity.y.row(j)};
-                for (int k = 0; k < d2q9::count; ++k)
-                    row.plane[k] = numbers + flow.populations.row(k, j);
-                update_row(row, lattice.nx);
-            }
-        });
+        for (int j = begin; j < end; ++j) {
+            RowOfArrays<Real> row{{},
+                                  flow.force.x.row(j),
+                                  flow.force.y.row(j),
+                                  flow.relaxation.even.row(j),
+                                  flow.relaxation.odd.row(j),
+                                  flow.velocity.x.row(j),
+                                  flow.velocity.y.row(j)};
+            for (int k = 0; k < d2q9::count; ++k)
+                row.plane[k] = flow.populations.data() + flow.populations.row(k, j);
+            update_row(row, lattice.nx);
+        }
         team_barrier();
     }
 }

@@ -19,10 +19,10 @@ struct Flow {
     Collision collision = Trt{};
     Boundaries boundaries;
     Vec2 body_force;
-    VectorField force{lattice};
-    VectorField velocity{lattice};
-    Relaxation relaxation{lattice};
-    Populations populations{lattice};
+    VectorField<> force{lattice};
+    VectorField<> velocity{lattice};
+    Relaxation<> relaxation{lattice};
+    Populations<> populations{lattice};
     double slowest_viscosity = 1.0 / 6.0;
 
     explicit Flow(const Lattice& l) : lattice(l) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <variant>
 #include <vector>
 
 #include "simulation/model.hpp"
@@ -17,11 +18,11 @@ struct Scene {
         model.scales = {2e-7, 1e-6, 1025.0 * 8e-21};
         model.viscosity.plasma = 1.0 / 6.0;
         model.membrane.in_plane = NeoHookean{0.01};
-        state.force = VectorField(lattice);
-        state.velocity = VectorField(lattice);
-        state.relaxation = Relaxation(lattice);
-        state.relaxation.even.fill(even_rate(model.viscosity.plasma));
+        state.sites = Sites<double>(lattice);
+        sites().relaxation.even.fill(even_rate(model.viscosity.plasma));
     }
+
+    Sites<double>& sites() { return std::get<Sites<double>>(state.sites); }
 
     /// Velocity u(position) on every site.
     template <class U>
@@ -29,8 +30,8 @@ struct Scene {
         for (int j = 0; j < model.lattice.ny; ++j) {
             for (int i = 0; i < model.lattice.nx; ++i) {
                 const Vec2 v = u(Lattice::position(i, j));
-                state.velocity.x(i, j) = v.x;
-                state.velocity.y(i, j) = v.y;
+                sites().velocity.x(i, j) = v.x;
+                sites().velocity.y(i, j) = v.y;
             }
         }
     }

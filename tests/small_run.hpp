@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <numbers>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "coupling/jump.hpp"
@@ -47,10 +48,13 @@ inline State small_state(const Model& model) {
     State state;
     add_cell(state.cells, circle({9.3, 11.6}, 4.4, 36));
     add_cell(state.cells, circle({24.8, 13.1}, 3.9, 32));
-    state.populations = Populations(model.lattice, model.precision);
+    state.sites = sites_at_rest(model.lattice, model.precision);
     derive(model, state);
     return state;
 }
+
+/// What the sites of a state in double hold.
+inline Sites<double>& in_double(State& state) { return std::get<Sites<double>>(state.sites); }
 
 /// `steps` steps into `directory`, a row of series.csv every 10 and a frame every 25.
 inline RunRequest small_request(const std::filesystem::path& directory, std::int64_t steps) {

@@ -88,6 +88,14 @@ std::string equilibrium_text(const Equilibrium& equilibrium) {
     return "incompressible: with advection";
 }
 
+std::string precision_text(const Case& c, const Choice& choice) {
+    const std::string word(word_of(choice.precision));
+    if (c.numerics.precision) return word + ", as given";
+    if (c.numerics.fluid_only) return word + ": a channel without cells";
+    return word + (choice.precision == Precision::fp32 ? ": step_tolerance is 1 % or more"
+                                                       : ": step_tolerance is below 1 %");
+}
+
 void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
     print_line("grid", fmt::format("{} x {} sites of {}, {} in all", choice.nx, choice.ny,
                                    rounded_text(choice.dx), with_spaces(a.sites)));
@@ -121,6 +129,7 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
                                  std::holds_alternative<Trt>(c.numerics.collision) ? "TRT" : "BGK")
                    : fmt::format("{:.4g}", a.tau_plasma));
     print_line("equilibrium", equilibrium_text(choice.equilibrium));
+    print_line("precision", precision_text(c, choice));
     if (a.cells > 0) print_line("kernel", std::string(word_of(choice.delta)));
     print_line("density scale",
                choice.density_scale < 1.0 + 1e-9
@@ -236,6 +245,7 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
     j["reynolds_channel"] = a.channel_reynolds;
     j["mach"] = a.mach;
     j["transits"] = a.transits;
+    j["precision"] = word_of(choice.precision);
     j["step_tolerance"] = c.numerics.step_tolerance;
     j["expected_change"] = choice.expected_change();
     j["expected_stretch"] = choice.expected_stretch;

@@ -14,6 +14,7 @@
 #include "coupling/delta/delta.hpp"
 #include "coupling/viscosity.hpp"
 #include "fluid/equilibrium.hpp"
+#include "grid/field.hpp"
 #include "interaction/contact.hpp"
 #include "membrane/bending/bending.hpp"
 #include "membrane/hardening.hpp"
@@ -238,6 +239,9 @@ struct ContactCase {
     friend bool operator==(const ContactCase&, const ContactCase&) = default;
 };
 
+template <>
+inline constexpr auto words_of<Precision> = std::to_array<std::string_view>({"double", "single"});
+
 struct NumericsCase {
     std::optional<Length> dx;
     std::optional<Time> dt;
@@ -249,7 +253,7 @@ struct NumericsCase {
     std::optional<double> node_spacing;  ///< in sites
     Collision collision;
     std::optional<Equilibrium> equilibrium;
-    std::string precision = "double";  ///< double | single, of the populations
+    std::optional<Precision> precision;  ///< of what the sites hold
     std::optional<Delta> delta;
     InteriorMethod interior;
     InterfaceViscosity interface_viscosity = AreaFraction{};

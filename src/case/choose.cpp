@@ -133,6 +133,15 @@ Delta choose_delta(const Case& c) {
     return Peskin4{};
 }
 
+/// Rounded to single precision, fields change what is measured by less than a tenth of such a
+/// tolerance (studies/precision). A channel without cells is there for its exact answer.
+Precision choose_precision(const Case& c) {
+    if (c.numerics.precision) return *c.numerics.precision;
+    constexpr double smallest = 0.01 * (1.0 - 1e-9);
+    return !c.numerics.fluid_only && c.numerics.step_tolerance >= smallest ? Precision::fp32
+                                                                           : Precision::fp64;
+}
+
 /// Where the viscosities differ by more the correction takes off more than node-sized wiggles move,
 /// and they grow whatever the time step (docs/theory/interface.md).
 bool choose_jump_correction(const Case& c) {
@@ -202,6 +211,7 @@ Choice choose(const Case& c) {
     expect_sites(c, choice, 1e9, "are possible");
     choice.equilibrium = choose_equilibrium(c);
     choice.delta = choose_delta(c);
+    choice.precision = choose_precision(c);
     choice.jump_correction = choose_jump_correction(c);
     choose_step(c, choose_flow(c, choice), choice);
     choice.node_spacing = c.numerics.node_spacing.value_or(1.0);

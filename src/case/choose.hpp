@@ -23,6 +23,7 @@ struct Choice {
     double node_spacing = 1.0;     ///< in sites
     Equilibrium equilibrium;
     Delta delta;
+    Precision precision = Precision::fp64;
     bool jump_correction = true;
     Rate shear_rate;                     ///< nominal k, or pseudo-shear rate; negative: to the left
     Velocity largest_speed;              ///< of the undisturbed flow

@@ -58,7 +58,7 @@ Model discretise(const Case& c, const Choice& choice) {
     m.scales = {dx, choice.dt.si, choice.density_scale * c.plasma.density.si * dx * dx * dx};
     m.density_scale = choice.density_scale;
     m.equilibrium = choice.equilibrium;
-    m.precision = c.numerics.precision == "single" ? Precision::fp32 : Precision::fp64;
+    m.precision = choice.precision;
     m.delta = choice.delta;
     m.viscosity = viscosity_of(c, choice, m.scales);
     if (choice.jump_correction) m.jump = jump_correction(m.delta, m.viscosity);

@@ -198,9 +198,10 @@ State initial_state(const Case& c, const Model& model, const LayoutWatch& watch)
     state.drive.body_force = model.drive.body_force;
     // Nothing is nearer than the reach of the contact forces; without them gaps are not measured.
     state.contact.smallest_gap = model.contact.range > 0.0 ? model.contact.range : std::nan("");
-    start_flow(model,
-               c.flow.start == FluidStart::rest ? VectorField<>(model.lattice) : undisturbed_flow(model),
-               state);
+    start_flow(
+        model,
+        c.flow.start == FluidStart::rest ? VectorField<>(model.lattice) : undisturbed_flow(model),
+        state);
     derive(model, state);
     std::visit([&](auto& sites) { let_nodes_follow(sites, state.cells); }, state.sites);
     return state;

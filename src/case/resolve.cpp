@@ -50,6 +50,7 @@ std::string resolved_toml(const Case& c, const Choice& choice, const Model& mode
     text += line("relaxation_time", choice.relaxation_time);
     text += line("density_scale", choice.density_scale);
     text += fmt::format("# {:<24} {}\n", "equilibrium", word_of(choice.equilibrium));
+    text += fmt::format("# {:<24} {}\n", "precision", word_of(choice.precision));
     text += line("cell_reynolds_as_run", choice.cell_reynolds(c));
     text += line("shear_rate", choice.shear_rate, s);
     text += line("largest_speed", choice.largest_speed, s);
@@ -79,7 +80,7 @@ std::string settings_of(const Case& c, const Choice& choice) {
            chosen("density_scale", to_text(choice.density_scale)) +
            chosen("node_spacing", to_text(choice.node_spacing)) +
            chosen("equilibrium", word_of(choice.equilibrium)) +
-           chosen("delta", word_of(choice.delta)) +
+           chosen("precision", word_of(choice.precision)) + chosen("delta", word_of(choice.delta)) +
            chosen("area_stiffness", to_text(choice.area_stiffness));
 }
 

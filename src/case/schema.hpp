@@ -53,10 +53,14 @@ struct FieldList<NumericsCase> {
                    any_value,
                    {},
                    "linear"},
-        FieldEntry{"precision", &T::precision,
-                   "of the lattice populations: single takes half the memory and traffic; "
-                   "membranes are in double either way",
-                   any_value, "double|single"},
+        FieldEntry{"precision",
+                   &T::precision,
+                   "of all fields of sites: single takes half the memory and traffic; membranes "
+                   "are in double either way; auto: single where there are cells and "
+                   "step_tolerance is 1 % or more",
+                   any_value,
+                   {},
+                   "double"},
         FieldEntry{
             "delta",
             &T::delta,

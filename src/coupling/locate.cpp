@@ -155,10 +155,10 @@ void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
     const int points = std::visit([](const auto& kernel) { return kernel.points; }, delta);
     if (team_rank() == 0) stencils.points = points;
     const double y_period = lattice.walls ? 0.0 : lattice.ny;
-    const Axis<Real> along_x{cells.x.data(),      lattice.nx,          double(lattice.nx),
-                             stencils.i.data(),   stencils.wx.data(),  stencils.sx.data()};
-    const Axis<Real> along_y{cells.y.data(),      lattice.ny,          y_period,
-                             stencils.j.data(),   stencils.wy.data(),  stencils.sy.data()};
+    const Axis<Real> along_x{cells.x.data(),    lattice.nx,         double(lattice.nx),
+                             stencils.i.data(), stencils.wx.data(), stencils.sx.data()};
+    const Axis<Real> along_y{cells.y.data(),    lattice.ny,         y_period,
+                             stencils.j.data(), stencils.wy.data(), stencils.sy.data()};
     std::visit(
         [&, begin = begin, end = end](auto kernel) {
             weigh_axis(kernel, along_x, begin, end);

@@ -24,7 +24,7 @@ enum class Kind : std::uint8_t { mixed, plasma, layer, cytoplasm };
 /// Rates of each kind, rounded as those of a site of row j in the plasma or the layer are.
 template <class Mean, class Rule>
 std::array<Rates, Relaxation<>::kinds> rates_of_kinds(const ViscosityModel& model, const Mean& mean,
-                                                    const Rule& collision) {
+                                                      const Rule& collision) {
     return {Rates{}, collision.rates(mean(model.plasma, model.cytoplasm, 0.0)),
             collision.rates(mean(model.layer_viscosity, model.cytoplasm, 0.0)),
             collision.rates(mean(model.plasma, model.cytoplasm, 1.0))};

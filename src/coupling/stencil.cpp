@@ -194,18 +194,20 @@ TT_INLINE void interpolate_nodes(const Stencils<Real>& stencils, const VectorFie
 TT_CLONES void clear_marked(double* x, double* y, int nx, const std::uint8_t* marks, int blocks) {
     clear_row(x, y, nx, marks, blocks);
 }
-TT_CLONES void spread_forces(const Stencils<double>& w, const Suspension& s, const Rows<double>& r) {
+TT_CLONES void spread_forces(const Stencils<double>& w, const Suspension& s,
+                             const Rows<double>& r) {
     spread_nodes<Order::zeroth>(w, s, r);
 }
-TT_CLONES void spread_dipoles(const Stencils<double>& w, const Suspension& s, const Rows<double>& r) {
+TT_CLONES void spread_dipoles(const Stencils<double>& w, const Suspension& s,
+                              const Rows<double>& r) {
     spread_nodes<Order::first>(w, s, r);
 }
-TT_CLONES void interpolate_velocity(const Stencils<double>& w, const VectorField<double>& u, Suspension& s,
-                                    int begin, int end) {
+TT_CLONES void interpolate_velocity(const Stencils<double>& w, const VectorField<double>& u,
+                                    Suspension& s, int begin, int end) {
     interpolate_nodes<Order::zeroth>(w, u, s, begin, end);
 }
-TT_CLONES void interpolate_rate(const Stencils<double>& w, const VectorField<double>& u, Suspension& s,
-                                int begin, int end) {
+TT_CLONES void interpolate_rate(const Stencils<double>& w, const VectorField<double>& u,
+                                Suspension& s, int begin, int end) {
     interpolate_nodes<Order::first>(w, u, s, begin, end);
 }
 TT_CLONES void clear_marked(float* x, float* y, int nx, const std::uint8_t* marks, int blocks) {
@@ -217,12 +219,12 @@ TT_CLONES void spread_forces(const Stencils<float>& w, const Suspension& s, cons
 TT_CLONES void spread_dipoles(const Stencils<float>& w, const Suspension& s, const Rows<float>& r) {
     spread_nodes<Order::first>(w, s, r);
 }
-TT_CLONES void interpolate_velocity(const Stencils<float>& w, const VectorField<float>& u, Suspension& s,
-                                    int begin, int end) {
+TT_CLONES void interpolate_velocity(const Stencils<float>& w, const VectorField<float>& u,
+                                    Suspension& s, int begin, int end) {
     interpolate_nodes<Order::zeroth>(w, u, s, begin, end);
 }
-TT_CLONES void interpolate_rate(const Stencils<float>& w, const VectorField<float>& u, Suspension& s,
-                                int begin, int end) {
+TT_CLONES void interpolate_rate(const Stencils<float>& w, const VectorField<float>& u,
+                                Suspension& s, int begin, int end) {
     interpolate_nodes<Order::first>(w, u, s, begin, end);
 }
 
@@ -269,9 +271,11 @@ void interpolate(Order order, const Stencils<Real>& stencils, const VectorField<
 
 template void spread(Order, Stencils<double>&, const Suspension&, VectorField<double>&);
 template void unspread(const Stencils<double>&, VectorField<double>&);
-template void interpolate(Order, const Stencils<double>&, const VectorField<double>&, Suspension&, int);
+template void interpolate(Order, const Stencils<double>&, const VectorField<double>&, Suspension&,
+                          int);
 template void spread(Order, Stencils<float>&, const Suspension&, VectorField<float>&);
 template void unspread(const Stencils<float>&, VectorField<float>&);
-template void interpolate(Order, const Stencils<float>&, const VectorField<float>&, Suspension&, int);
+template void interpolate(Order, const Stencils<float>&, const VectorField<float>&, Suspension&,
+                          int);
 
 }  // namespace tt

@@ -20,8 +20,8 @@ struct Stencils {
     static constexpr int width = 4;  ///< weights kept for each axis, those past the block 0
     int points = width;              ///< sites of a block along each axis
     std::vector<std::int32_t> i, j;  ///< per node: lower left site of the block
-    std::vector<Real> wx, wy;      ///< per node: `width` weights along each axis
-    std::vector<Real> sx, sy;      ///< per node: their derivatives by the node's position
+    std::vector<Real> wx, wy;        ///< per node: `width` weights along each axis
+    std::vector<Real> sx, sy;        ///< per node: their derivatives by the node's position
     SiteBlocks near_membranes;  ///< marks all sites of the blocks spread last, where they stand in
                                 ///< the box
 

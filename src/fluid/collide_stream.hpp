@@ -25,8 +25,7 @@ template <class Real>
 void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& boundaries,
                         Vec2 body_force, const VectorField<Real>& force,
                         const Relaxation<Real>& relaxation, Populations<Real>& populations,
-                        VectorField<Real>& velocity,
-                        const SiteBlocks* near_membranes = nullptr);
+                        VectorField<Real>& velocity, const SiteBlocks* near_membranes = nullptr);
 
 /// The same pass written plainly, out of place and site by site: the oracle of the fast one. Serial
 /// and slow; takes either phase, needs no halo (it wraps x, and y where there are no walls), and

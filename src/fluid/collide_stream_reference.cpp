@@ -13,8 +13,8 @@ Nine arriving_at(const Populations<Real>& populations, int x, int y) {
     const Lattice& lattice = populations.lattice();
     Nine f{};
     for (int i = 0; i < d2q9::count; ++i) {
-        const bool home = populations.phase == Phase::even ||
-                          populations.wall_between(y, -d2q9::cy[i]);
+        const bool home =
+            populations.phase == Phase::even || populations.wall_between(y, -d2q9::cy[i]);
         f[i] = home ? populations.slot(i, x, y)
                     : populations.slot(d2q9::opposite[i], wrapped(x - d2q9::cx[i], lattice.nx),
                                        wrapped(y - d2q9::cy[i], lattice.ny));

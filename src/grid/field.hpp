@@ -24,8 +24,8 @@ struct CacheAligned {
     friend bool operator==(const CacheAligned&, const CacheAligned&) { return true; }
 };
 
-/// Of all that the sites hold. In fp32 rounding of the populations is relative to the deviation from
-/// rest; membranes and their nodes stay in double.
+/// Of all that the sites hold. In fp32 rounding of the populations is relative to the deviation
+/// from rest; membranes and their nodes stay in double.
 enum class Precision : std::uint8_t { fp64, fp32 };
 
 /// One number per site, halo included, row after row. `Real` is double or float: what the sites

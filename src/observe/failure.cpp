@@ -64,8 +64,8 @@ void keep_states(const fs::path& results, const std::string& name, const Model& 
     archive.commit();
 }
 
-SimulationError tell_failure(const fs::path& results, const Instability& what, const Suggestion& advice,
-                             const LastGood& good, double dt) {
+SimulationError tell_failure(const fs::path& results, const Instability& what,
+                             const Suggestion& advice, const LastGood& good, double dt) {
     const fs::path folder = failure_folder(results);
     std::string text = labelled("write", advice.text()) + '\n' +
                        labelled("kept", kept_in(folder, good, dt)) + '\n' +

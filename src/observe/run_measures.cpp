@@ -218,8 +218,8 @@ double driving_gradient(const Model& model, const State& state) {
 }
 
 double wall_shear_stress(const Model& model, const State& state) {
-    const WallStress stress = std::visit(
-        [&](const auto& sites) { return stress_at_walls(model, sites); }, state.sites);
+    const WallStress stress =
+        std::visit([&](const auto& sites) { return stress_at_walls(model, sites); }, state.sites);
     return 0.5 * (stress.bottom + (walls_drive(model) ? stress.top : -stress.top));
 }
 

@@ -32,8 +32,7 @@ Model drop_model(const DropScene& scene, double tension) {
 void pressurise(Experiment& drop, double pressure) {
     const Lattice& lattice = drop.model.lattice;
     const auto raise = [&](int k, int i, int j) {
-        const double gain =
-            3.0 * pressure * d2q9::weight[k] * drop.state.interior.fraction(i, j);
+        const double gain = 3.0 * pressure * d2q9::weight[k] * drop.state.interior.fraction(i, j);
         std::visit(
             [&](auto& sites) {
                 sites.populations.set_slot(k, i, j, sites.populations.slot(k, i, j) + gain);

@@ -17,7 +17,7 @@ protected:
     Periodic exchange;
 };
 
-int sites_that_differ(const VectorField& a, const VectorField& b) {
+int sites_that_differ(const VectorField<>& a, const VectorField<>& b) {
     int different = 0;
     const Lattice& lattice = a.x.lattice();
     for (int j = 0; j < lattice.ny; ++j) {
@@ -35,15 +35,15 @@ TEST_P(FlowKeptBy, a_run_that_keeps_it_near_membranes_ends_with_all_of_it_and_th
     model.threads = 2;
     run_steps(model, run, exchange, health, 117, Clock::time_point::max());
     EXPECT_EQ(state_hash(run), state_hash(plain));
-    EXPECT_EQ(sites_that_differ(run.velocity, plain.velocity), 0);
+    EXPECT_EQ(sites_that_differ(in_double(run).velocity, in_double(plain).velocity), 0);
 }
 
 TEST_P(FlowKeptBy, only_a_controller_of_the_mean_velocity_needs_all_of_it_meanwhile) {
     State state = small_state(model);
-    const VectorField before = state.velocity;
+    const VectorField<> before = in_double(state).velocity;
     for (int k = 0; k < 25; ++k) advance(model, state, exchange, FlowKept::near_membranes);
     const bool controller = GetParam();
-    EXPECT_EQ(sites_that_differ(state.velocity, before) > 0, controller);
+    EXPECT_EQ(sites_that_differ(in_double(state).velocity, before) > 0, controller);
     EXPECT_EQ(state.drive.integral != 0.0, controller);
 }
 

@@ -36,7 +36,7 @@ inline std::string sound_checkpoint() {
     State state;
     add_cell(state.cells, circle({2.8, 3.6}, 1.4, 8));
     add_cell(state.cells, circle({6.6, 4.1}, 1.5, 9));
-    state.populations = Populations(model.lattice, model.precision);
+    state.sites = sites_at_rest(model.lattice, model.precision);
     derive(model, state);
     const auto path = std::filesystem::temp_directory_path() /
                       ("tanktread-checkpoint-" + std::to_string(getpid()));

@@ -45,7 +45,7 @@ struct ShortenedCase {
             const double u = exact(j + 0.5);
             largest = std::max(largest, std::abs(u));
             for (int i = 0; i < model.lattice.nx; ++i)
-                worst = std::max(worst, std::abs(state.velocity.x(i, j) - u));
+                worst = std::max(worst, std::abs(state.velocity(i, j).x - u));
         }
         return worst / largest;
     }

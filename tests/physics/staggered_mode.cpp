@@ -12,7 +12,7 @@ namespace tt {
 namespace {
 
 /// Stripes u_y = amplitude (−1)^y in a fluid at rest.
-void add_stripes(const Lattice& lattice, double amplitude, Populations& populations) {
+void add_stripes(const Lattice& lattice, double amplitude, Populations<>& populations) {
     for (int k = 0; k < d2q9::count; ++k) {
         for (int j = 0; j < lattice.ny; ++j) {
             const double u = j % 2 == 0 ? amplitude : -amplitude;
@@ -38,7 +38,7 @@ Largest largest_velocities(const Delta& delta, double amplitude) {
     model.delta = delta;
     model.jump = jump_correction(model.delta, model.viscosity);
     State state = small_state(model);
-    add_stripes(model.lattice, amplitude, state.populations);
+    add_stripes(model.lattice, amplitude, std::get<Sites<double>>(state.sites).populations);
     Periodic exchange;
     Largest largest;
     with_team(1, [&] {

@@ -60,7 +60,7 @@ struct Line {
     double value, slope;
 };
 
-Line fit(const VectorField& u, const Strip& strip, double low, double high, double at) {
+Line fit(const VectorField<>& u, const Strip& strip, double low, double high, double at) {
     const Lattice& lattice = u.x.lattice();
     double s0 = 0, s1 = 0, s2 = 0, y0 = 0, y1 = 0;
     for (int j = 0; j < lattice.ny; ++j) {

@@ -15,14 +15,15 @@ namespace {
 using namespace tt;
 
 /// Everything a pass depends on, drawn at random.
+template <class Real = double>
 struct Scene {
     Lattice lattice;
     Equilibrium equilibrium;
     Boundaries boundaries;
     Vec2 body_force;
-    VectorField force;
-    Relaxation relaxation;
-    Populations populations;
+    VectorField<Real> force;
+    Relaxation<Real> relaxation;
+    Populations<Real> populations;
 };
 
 const std::array<Equilibrium, 3> equilibria{LinearEquilibrium{}, IncompressibleEquilibrium{},
@@ -33,9 +34,9 @@ int below(int n) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0,
 
 Lattice random_lattice() { return {1 + below(37), 1 + below(12), below(2) == 0}; }
 
-Scene random_scene(const Lattice& lattice = random_lattice(),
-                   Precision precision = Precision::fp64) {
-    Scene s;
+template <class Real = double>
+Scene<Real> random_scene(const Lattice& lattice = random_lattice()) {
+    Scene<Real> s;
     s.lattice = lattice;
     s.equilibrium = equilibria[below(3)];
     const Collision collision = collisions[below(2)];
@@ -44,17 +45,17 @@ Scene random_scene(const Lattice& lattice = random_lattice(),
     if (below(2) == 0) s.boundaries.top_speed = random.uniform(-0.1, 0.1);
     if (below(2) == 0) s.boundaries.pressure_drop = random.uniform(-0.01, 0.01);
     s.body_force = {random.uniform(-1e-3, 1e-3), random.uniform(-1e-3, 1e-3)};
-    s.force = VectorField(s.lattice);
-    s.relaxation = Relaxation(s.lattice);
-    s.populations = Populations(s.lattice, precision);
+    s.force = VectorField<Real>(s.lattice);
+    s.relaxation = Relaxation<Real>(s.lattice);
+    s.populations = Populations<Real>(s.lattice);
     for (int j = 0; j < s.lattice.ny; ++j) {
         for (int i = 0; i < s.lattice.nx; ++i) {
-            s.force.x(i, j) = random.uniform(-1e-2, 1e-2);
-            s.force.y(i, j) = random.uniform(-1e-2, 1e-2);
+            s.force.x(i, j) = static_cast<Real>(random.uniform(-1e-2, 1e-2));
+            s.force.y(i, j) = static_cast<Real>(random.uniform(-1e-2, 1e-2));
             const double even = random.uniform(0.2, 1.9);
-            s.relaxation.even(i, j) = even;
+            s.relaxation.even(i, j) = static_cast<Real>(even);
             s.relaxation.odd(i, j) =
-                std::visit([&](auto c) { return c.odd_rate(even); }, collision);
+                static_cast<Real>(std::visit([&](auto c) { return c.odd_rate(even); }, collision));
             for (int k = 0; k < d2q9::count; ++k)
                 s.populations.set_slot(k, i, j, random.uniform(-0.02, 0.02));
         }
@@ -63,8 +64,9 @@ Scene random_scene(const Lattice& lattice = random_lattice(),
 }
 
 /// `steps` passes of the fast kernel on `threads` threads. Returns the velocity of the last.
-VectorField run(Scene& s, int steps, int threads) {
-    VectorField velocity(s.lattice);
+template <class Real>
+VectorField<Real> run(Scene<Real>& s, int steps, int threads) {
+    VectorField<Real> velocity(s.lattice);
     Periodic exchange;
     with_team(threads, [&] {
         for (int step = 0; step < steps; ++step) {
@@ -77,8 +79,9 @@ VectorField run(Scene& s, int steps, int threads) {
     return velocity;
 }
 
-VectorField run_reference(Scene& s, int steps) {
-    VectorField velocity(s.lattice);
+template <class Real>
+VectorField<Real> run_reference(Scene<Real>& s, int steps) {
+    VectorField<Real> velocity(s.lattice);
     for (int step = 0; step < steps; ++step) {
         collide_and_stream_reference(s.equilibrium, s.boundaries, s.body_force, s.force,
                                      s.relaxation, s.populations, velocity);
@@ -93,7 +96,8 @@ void for_each_site(const Lattice& lattice, F&& f) {
     }
 }
 
-double worst_difference(const Populations& a, const Populations& b) {
+template <class Real>
+double worst_difference(const Populations<Real>& a, const Populations<Real>& b) {
     double worst = 0.0;
     for_each_site(a.lattice(), [&](int i, int j) {
         for (int k = 0; k < d2q9::count; ++k) {
@@ -104,7 +108,7 @@ double worst_difference(const Populations& a, const Populations& b) {
 }
 
 /// Marks random blocks of sites and takes the force off all others.
-SiteBlocks random_blocks(Scene& s) {
+SiteBlocks random_blocks(Scene<>& s) {
     SiteBlocks blocks(s.lattice);
     for_each_site(s.lattice, [&](int i, int j) {
         std::uint8_t& mark = blocks.row(j)[i / SiteBlocks::width];
@@ -115,7 +119,7 @@ SiteBlocks random_blocks(Scene& s) {
 }
 
 /// Gives random blocks of sites one of three pairs of rates and says so.
-void set_random_kinds(Relaxation& relaxation) {
+void set_random_kinds(Relaxation<>& relaxation) {
     for (Rates& rates : relaxation.rates_of_kind) {
         rates.even = 0.5 + 0.001 * below(1000);
         rates.odd = Trt{}.odd_rate(rates.even);
@@ -123,7 +127,7 @@ void set_random_kinds(Relaxation& relaxation) {
     const Lattice& lattice = relaxation.even.lattice();
     for_each_site(lattice, [&](int i, int j) {
         if (i + SiteBlocks::width > lattice.nx || i % SiteBlocks::width != 0) return;
-        const int kind = below(Relaxation::kinds);
+        const int kind = below(Relaxation<>::kinds);
         relaxation.kind.row(j)[i / SiteBlocks::width] = static_cast<std::uint8_t>(kind);
         if (kind == 0) return;
         std::fill_n(relaxation.even.row(j) + i, SiteBlocks::width,
@@ -139,7 +143,7 @@ TEST(FluidPass, leaving_out_force_velocity_and_rates_away_from_membranes_changes
         const SiteBlocks blocks = random_blocks(all);
         set_random_kinds(all.relaxation);
         Scene some = all;
-        VectorField everywhere(all.lattice), near_membranes(all.lattice);
+        VectorField<> everywhere(all.lattice), near_membranes(all.lattice);
         Periodic exchange;
         for (int step = 0; step < 3; ++step) {
             near_membranes = some.force;  // and is given for both
@@ -182,7 +186,7 @@ TEST(FluidPass, fast_and_reference_pass_agree_to_rounding_in_single_precision) {
     constexpr double rounding = 0x1p-24;
     for (const Equilibrium& equilibrium : equilibria) {
         EXPECT_TRUE(rc::check([&] {
-            Scene fast = random_scene(random_lattice(), Precision::fp32);
+            Scene<float> fast = random_scene<float>();
             fast.equilibrium = equilibrium;
             Scene plain = fast;
             const int steps = 1 + below(5);
@@ -202,7 +206,7 @@ TEST(FluidPass, takes_over_from_the_reference_pass_in_either_phase) {
         Scene mixed = random_scene();
         Scene plain = mixed;
         run(mixed, *rc::gen::element(1, 2), 1);
-        run_reference(plain, mixed.populations.phase == Populations::Phase::odd ? 1 : 2);
+        run_reference(plain, mixed.populations.phase == Phase::odd ? 1 : 2);
         run_reference(mixed, 1);
         run_reference(plain, 1);
         RC_ASSERT(worst_difference(mixed.populations, plain.populations) < 2e-15);

@@ -177,7 +177,7 @@ ViscosityModel model_with(InterfaceViscosity interface, InteriorMethod interior 
     return model;
 }
 
-bool same_bits(const Field& a, const Field& b) {
+bool same_bits(const Field<>& a, const Field<>& b) {
     const Lattice& lattice = a.lattice();
     for (int j = 0; j < lattice.ny; ++j)
         if (std::memcmp(a.row(j), b.row(j), sizeof(double) * lattice.nx) != 0) return false;
@@ -321,7 +321,7 @@ TEST(Viscosity, marks_the_blocks_of_one_viscosity_truly) {
     InteriorState interior;
     Relaxation relaxation(lattice);
     rebuild_viscosity(model, cells, interior, relaxation);
-    std::array<int, Relaxation::kinds> blocks{};
+    std::array<int, Relaxation<>::kinds> blocks{};
     for (int step = 0; step < 50; ++step) {
         for (double& x : cells.x) x += 0.2;
         lay_cytoplasm(model, cells, interior);

@@ -37,7 +37,7 @@ public:
     using Periodic::fill;
     using Periodic::fold;
     /// After the membrane forces have been spread, before the fluid's pass.
-    void fold(VectorField& field) override {
+    void fold(VectorField<>& field) override {
         Periodic::fold(field);
         on_one_thread([&] {
             if (state_.step == step_) fault_(state_);
@@ -122,7 +122,7 @@ public:
 
     using Periodic::fill;
     using Periodic::fold;
-    void fold(VectorField& field) override {
+    void fold(VectorField<>& field) override {
         Periodic::fold(field);
         on_one_thread([&] {
             if (step_-- == 0) field.x(9, 12) += force_;

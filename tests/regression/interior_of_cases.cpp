@@ -12,7 +12,7 @@ using namespace tt;
 namespace {
 
 /// The fraction of cytoplasm by one method, sharp, of the cells as they are.
-Field interior(const InteriorMethod& method, const Model& m, const State& s) {
+Field<> interior(const InteriorMethod& method, const Model& m, const State& s) {
     ViscosityModel viscosity = m.viscosity;
     viscosity.interior = method;
     viscosity.interface = SharpInterface{};
@@ -31,8 +31,8 @@ TEST_P(EveryCaseWithCells, scan_line_equals_flood_fill_as_it_runs) {
     State s = initial_state(c, m);
     Periodic ends;
     for (int look = 0; look < 4; ++look) {
-        const Field by_scan_line = interior(ScanLine{}, m, s);
-        const Field by_flood_fill = interior(FloodFill{}, m, s);
+        const Field<> by_scan_line = interior(ScanLine{}, m, s);
+        const Field<> by_flood_fill = interior(FloodFill{}, m, s);
         double inside = 0.0;
         for (int j = 0; j < m.lattice.ny; ++j) {
             for (int i = 0; i < m.lattice.nx; ++i) {

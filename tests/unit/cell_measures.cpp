@@ -99,7 +99,7 @@ TEST(CellMeasures, principal_stress_takes_the_viscosity_of_the_membranes_own_sit
     Scene scene(box);
     scene.set_velocity([&](Vec2 p) { return Vec2{k * p.y, 0.0}; });
     scene.model.boundaries.top_speed = 60 * k;
-    scene.state.relaxation.even.fill(even_rate(5.0 / 6.0));
+    scene.sites().relaxation.even.fill(even_rate(5.0 / 6.0));
     scene.add(Ellipse{{40, 30}, 12, 12, 0.0}.nodes(80));
     const CellMeasures m = measure_cell(scene.model, scene.state, 0);
     EXPECT_NEAR(m.stress_principal.si / m.stress_traction.si, 5.0, 1e-12);

@@ -148,7 +148,7 @@ TEST_P(EveryKernel, blocks_of_nodes_on_the_ends_of_the_box_lie_on_sites_and_halo
         }
         Stencils stencils(box, cells.node_count());
         locate(GetParam().delta, box, cells, stencils);
-        constexpr int width = Stencils::width;
+        constexpr int width = Stencils<>::width;
         for (int n = 0; n < cells.node_count(); ++n) {
             EXPECT_GE(stencils.i[n], -Lattice::halo);
             EXPECT_LE(stencils.i[n] + width, box.nx + Lattice::halo);
@@ -233,7 +233,7 @@ TEST_P(EveryKernel, leaves_no_force_behind_across_periodic_ends) {
             for (int i = -2; i < box.nx + 2; ++i) {
                 const int wi = (i + box.nx) % box.nx, wj = box.walls ? j : (j + box.ny) % box.ny;
                 if (wi == i && wj == j) continue;
-                for (Field* f : {&force.x, &force.y}) {
+                for (Field<>* f : {&force.x, &force.y}) {
                     (*f)(wi, wj) += (*f)(i, j);
                     (*f)(i, j) = 0.0;
                 }

@@ -35,11 +35,11 @@ TEST(FrameOf, holds_the_state_in_SI) {
         close(frame.node_force[2 * n], state.cells.fx[n] * density * dx * dx * dx / (dt * dt));
     }
     for (int j = 0; j < model.lattice.ny; ++j) {
-        const std::vector<double> deviation = density_deviations(state.populations, j);
+        const std::vector<double> deviation = density_deviations(in_double(state).populations, j);
         for (int i = 0; i < model.lattice.nx; ++i) {
             const std::size_t site = static_cast<std::size_t>(j) * model.lattice.nx + i;
-            close(frame.velocity[2 * site], state.velocity.x.row(j)[i] * dx / dt);
-            close(frame.velocity[2 * site + 1], state.velocity.y.row(j)[i] * dx / dt);
+            close(frame.velocity[2 * site], state.velocity(i, j).x * dx / dt);
+            close(frame.velocity[2 * site + 1], state.velocity(i, j).y * dx / dt);
             close(frame.pressure[site], deviation[i] / 3.0 * density * dx * dx / (dt * dt));
             close(frame.cytoplasm[site], state.interior.fraction.row(j)[i]);
         }

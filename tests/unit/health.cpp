@@ -73,9 +73,9 @@ TEST_F(HealthGuards, see_a_node_beyond_a_wall) {
 }
 
 TEST_F(HealthGuards, see_speed_and_nan_at_a_single_site) {
-    state.velocity.y(32, 23) = 0.5 / std::sqrt(3.0) * 1.001;
+    in_double(state).velocity.y(32, 23) = 0.5 / std::sqrt(3.0) * 1.001;
     EXPECT_EQ(found(), "Mach number at site (32, 23)");
-    state.velocity.y(32, 23) = not_a_number;
+    in_double(state).velocity.y(32, 23) = not_a_number;
     EXPECT_EQ(found(), "Mach number at site (32, 23)");
 }
 
@@ -120,7 +120,7 @@ TEST_F(HealthGuards, tell_all_threads_of_a_team_what_one_found_in_its_share) {
     state.step = 200;
     with_team(3, [&] {
         for (const double speed : {0.5, 0.0}) {
-            if (team_rank() == 0) state.velocity.x(7, top) = speed;
+            if (team_rank() == 0) in_double(state).velocity.x(7, top) = speed;
             team_barrier();
             told[team_rank()] += found_after_step() + ";";
         }
@@ -130,7 +130,7 @@ TEST_F(HealthGuards, tell_all_threads_of_a_team_what_one_found_in_its_share) {
 }
 
 TEST_F(HealthGuards, costly_checks_are_due_every_hundred_steps) {
-    state.velocity.x(1, 1) = 1.0;
+    in_double(state).velocity.x(1, 1) = 1.0;
     state.step = 199;
     EXPECT_EQ(found_after_step(), "nothing");
     state.step = 200;

@@ -26,9 +26,9 @@ TEST(Moments, of_an_equilibrium_are_density_1_its_velocity_and_its_momentum_flux
     for (const Equilibrium& equilibrium :
          {Equilibrium{LinearEquilibrium{}}, Equilibrium{IncompressibleEquilibrium{}},
           Equilibrium{FullEquilibrium{}}}) {
-        populations.phase = Populations::Phase::odd;
+        populations.phase = Phase::odd;
         set_equilibrium(equilibrium, velocity, 0.0, populations);
-        EXPECT_EQ(populations.phase, Populations::Phase::even);
+        EXPECT_EQ(populations.phase, Phase::even);
         const Moments m = moments(populations, 2, 1);
         const double inertia = equilibrium.index() == 0 ? 0.0 : 1.0;
         EXPECT_NEAR(m.density_deviation, 0.0, 1e-16);
@@ -40,22 +40,25 @@ TEST(Moments, of_an_equilibrium_are_density_1_its_velocity_and_its_momentum_flux
     }
 }
 
-TEST(Moments, density_of_a_row_is_that_of_its_sites_in_either_phase_and_precision) {
+template <class Real>
+class MomentsOfRow : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(MomentsOfRow, Reals);
+
+TYPED_TEST(MomentsOfRow, density_is_that_of_its_sites_in_either_phase) {
     Random random(4);
-    for (const Precision precision : {Precision::fp64, Precision::fp32}) {
-        Populations populations(Lattice{7, 3, true}, precision);
-        for (int k = 0; k < d2q9::count; ++k) {
-            for (int j = 0; j < 3; ++j)
-                for (int i = -1; i <= 7; ++i) populations.set_slot(k, i, j, random.uniform());
-        }
-        for (const auto phase : {Populations::Phase::even, Populations::Phase::odd}) {
-            populations.phase = phase;
-            for (int j = 0; j < 3; ++j) {
-                const std::vector<double> row = density_deviations(populations, j);
-                ASSERT_EQ(row.size(), 7u);
-                for (int i = 0; i < 7; ++i)
-                    EXPECT_EQ(row[i], moments(populations, i, j).density_deviation);
-            }
+    Populations<TypeParam> populations(Lattice{7, 3, true});
+    for (int k = 0; k < d2q9::count; ++k) {
+        for (int j = 0; j < 3; ++j)
+            for (int i = -1; i <= 7; ++i) populations.set_slot(k, i, j, random.uniform());
+    }
+    for (const auto phase : {Phase::even, Phase::odd}) {
+        populations.phase = phase;
+        for (int j = 0; j < 3; ++j) {
+            const std::vector<double> row = density_deviations(populations, j);
+            ASSERT_EQ(row.size(), 7u);
+            for (int i = 0; i < 7; ++i)
+                EXPECT_EQ(row[i], moments(populations, i, j).density_deviation);
         }
     }
 }

@@ -28,7 +28,7 @@ bool is_site(const Lattice& lattice, int i, int j) {
     return i >= 0 && i < lattice.nx && j >= 0 && j < lattice.ny;
 }
 
-VectorField random_field(const Lattice& lattice, Random& random) {
+VectorField<> random_field(const Lattice& lattice, Random& random) {
     VectorField field(lattice);
     for_each_place(lattice, [&](int i, int j) {
         field.x(i, j) = random.uniform(-1.0, 1.0);
@@ -56,9 +56,9 @@ TEST(Periodic, fill_repeats_the_sites_in_the_halo_and_spares_what_lies_beyond_a_
 TEST(Periodic, fold_is_the_transpose_of_fill_and_clears_the_halo) {
     Random random(1);
     for (const Lattice& lattice : lattices) {
-        VectorField filled = random_field(lattice, random);
-        const VectorField spread = random_field(lattice, random);
-        VectorField folded = spread;
+        VectorField<> filled = random_field(lattice, random);
+        const VectorField<> spread = random_field(lattice, random);
+        VectorField<> folded = spread;
         Periodic exchange;
         with_team(2, [&] {
             exchange.fill(filled);
@@ -87,10 +87,10 @@ TEST(Periodic, settle_turns_the_phase_and_leaves_every_population_readable) {
                     populations.set_slot(k, i, j, random.uniform());
             }
         }
-        const Populations start = populations;
+        const Populations<> start = populations;
         Periodic exchange;
         settle(exchange, populations);
-        EXPECT_EQ(populations.phase, Populations::Phase::odd);
+        EXPECT_EQ(populations.phase, Phase::odd);
         for (int k = 0; k < d2q9::count; ++k) {
             const int x = (lattice.nx - d2q9::cx[k]) % lattice.nx;
             const int y = (lattice.ny - d2q9::cy[k]) % lattice.ny;
@@ -99,7 +99,7 @@ TEST(Periodic, settle_turns_the_phase_and_leaves_every_population_readable) {
                       bounced ? start.slot(k, 0, 0) : start.slot(d2q9::opposite[k], x, y));
         }
         settle(exchange, populations);
-        EXPECT_EQ(populations.phase, Populations::Phase::even);
+        EXPECT_EQ(populations.phase, Phase::even);
         for (int k = 0; k < d2q9::count; ++k) {
             for (int j = 0; j < lattice.ny; ++j) {
                 for (int i = 0; i < lattice.nx; ++i)

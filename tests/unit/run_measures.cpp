@@ -50,7 +50,7 @@ TEST(RunMeasures, plain_poiseuille_flow_has_relative_viscosity_one) {
         const double q = 0.5 * force * ny * ny * ny;
         EXPECT_NEAR(m.flux.si / s.to_si<KinematicViscosity>(q).si, 1.0, 1e-12);
         EXPECT_NEAR(m.wall_shear_stress.si / m.balance_shear_stress.si, 1.0, 1e-12);
-        EXPECT_NEAR(m.mach, std::sqrt(3.0) * scene.state.velocity.x(0, ny / 2), 1e-15);
+        EXPECT_NEAR(m.mach, std::sqrt(3.0) * scene.state.velocity(0, ny / 2).x, 1e-15);
         EXPECT_EQ(m.hematocrit_tube, 0.0);
         EXPECT_TRUE(std::isnan(m.lambda_C));
         EXPECT_TRUE(std::isnan(m.cfl_gap.si));
