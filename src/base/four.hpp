@@ -11,9 +11,16 @@ namespace tt {
 /// of scalar code. For the four-site rows of the delta kernels, which are too short for the
 /// compiler to find.
 template <class Real>
-struct SideBySide {
-    using Four = Real __attribute__((vector_size(4 * sizeof(Real))));
-    using Eight = Real __attribute__((vector_size(8 * sizeof(Real))));
+struct SideBySide;
+template <>
+struct SideBySide<double> {
+    using Four = double __attribute__((vector_size(32)));
+    using Eight = double __attribute__((vector_size(64)));
+};
+template <>
+struct SideBySide<float> {
+    using Four = float __attribute__((vector_size(16)));
+    using Eight = float __attribute__((vector_size(32)));
 };
 template <class Real>
 using Four = typename SideBySide<Real>::Four;
