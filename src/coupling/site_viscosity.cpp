@@ -1,7 +1,6 @@
 #include "coupling/site_viscosity.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
 
@@ -18,53 +17,15 @@ double plain_viscosity(const ViscosityModel& model, int j) {
     return HarmonicMean{}(model.plasma, model.layer_viscosity, share);
 }
 
-/// Relaxation::kind of blocks of sites: plain fluid, the layer of a second one, cytoplasm.
-enum class Kind : std::uint8_t { mixed, plasma, layer, cytoplasm };
-
-/// Rates of each kind, rounded as those of a site of row j in the plasma or the layer are.
-template <class Mean, class Rule>
-std::array<Rates, Relaxation<>::kinds> rates_of_kinds(const ViscosityModel& model, const Mean& mean,
-                                                      const Rule& collision) {
-    return {Rates{}, collision.rates(mean(model.plasma, model.cytoplasm, 0.0)),
-            collision.rates(mean(model.layer_viscosity, model.cytoplasm, 0.0)),
-            collision.rates(mean(model.plasma, model.cytoplasm, 1.0))};
-}
-
-/// The kind of row j where there are no cells.
-Kind plain_kind(const ViscosityModel& model, int j) {
-    if (j >= model.layer_thickness) return Kind::plasma;
-    return j + 1 <= model.layer_thickness ? Kind::layer : Kind::mixed;
-}
-
 /// One row of what depends on the fractions.
 template <class Real>
 struct FractionRow {
     int nx;
-    double plain, cytoplasm;      ///< viscosities
-    Kind plain_kind, inner_kind;  ///< of blocks without and full of cytoplasm
+    double plain, cytoplasm;  ///< viscosities
     double* __restrict fraction;
     Real* __restrict even;
     Real* __restrict odd;
-    std::uint8_t* __restrict kind;
 };
-
-/// Sets the kind of the whole blocks that the sites [begin, end) of a row belong to.
-template <class Real>
-TT_INLINE void set_kinds(const FractionRow<Real>& row, int begin, int end) {
-    constexpr int width = SiteBlocks::width;
-    const int whole = row.nx / width;
-    for (int b = begin / width; b < whole && b * width < end; ++b) {
-        int zeros = 0, ones = 0;
-        for (int i = b * width; i < b * width + width; ++i) {
-            zeros += row.fraction[i] == 0.0 ? 1 : 0;
-            ones += row.fraction[i] == 1.0 ? 1 : 0;
-        }
-        const Kind found = zeros == width  ? row.plain_kind
-                           : ones == width ? row.inner_kind
-                                           : Kind::mixed;
-        row.kind[b] = static_cast<std::uint8_t>(found);
-    }
-}
 
 /// Sets what follows from the fractions of the sites [begin, end) of a row.
 template <class Mean, class Rule, class Real>
@@ -77,7 +38,6 @@ TT_INLINE void set_rates(const Mean& mean, const Rule& collision, const Fraction
         to.even[i] = static_cast<Real>(rates.even);
         to.odd[i] = static_cast<Real>(rates.odd);
     }
-    set_kinds(to, begin, end);
 }
 
 /// Do `count` numbers differ in any bit?
@@ -133,16 +93,8 @@ struct Target {
     }
 
     FractionRow<Real> row(int j) const {
-        const Kind plain = plain_kind(model, j);
-        return {fraction.lattice().nx,
-                plain_viscosity(model, j),
-                model.cytoplasm,
-                plain,
-                plain == Kind::plasma ? Kind::cytoplasm : Kind::mixed,
-                fraction.row(j),
-                relaxation.even.row(j),
-                relaxation.odd.row(j),
-                relaxation.kind.row(j)};
+        return {fraction.lattice().nx, plain_viscosity(model, j), model.cytoplasm,
+                fraction.row(j),       relaxation.even.row(j),    relaxation.odd.row(j)};
     }
 };
 
@@ -208,7 +160,6 @@ template <class Real>
 void set_all_rates(const ViscosityModel& model, Field<>& fraction, Relaxation<Real>& relaxation) {
     const Lattice& lattice = fraction.lattice();
     with_target(model, fraction, relaxation, [&](const auto& target) {
-        relaxation.rates_of_kind = rates_of_kinds(model, target.mean, target.collision);
         for (int j = 0; j < lattice.ny; ++j)
             set_rates(target.mean, target.collision, target.row(j), 0, lattice.nx);
     });

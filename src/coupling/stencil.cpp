@@ -33,66 +33,6 @@ Rows<Real> rows_of(VectorField<Real>& field) {
     return {begin, end, field.x.row(0), field.y.row(0), lattice.pitch()};
 }
 
-/// The marks of this thread's rows [begin, end) and of those below whose blocks may reach them.
-struct Marks {
-    SiteBlocks& near;
-    std::uint8_t* below;
-    int begin, end;
-    int reach;  ///< rows that a block goes beyond the one in which it starts
-
-    TT_INLINE std::uint8_t* row(int j) const {
-        return j >= begin ? near.row(j) : below + (j - begin + reach) * near.pitch();
-    }
-};
-
-/// Marks, in the row in which a block starts, the columns it covers, through the ends of the box if
-/// it must: then the last and the first block of sites are marked as well.
-template <class Real>
-void mark_starts(const Lattice& lattice, const Stencils<Real>& stencils, const Marks& marks) {
-    constexpr unsigned sites = SiteBlocks::width;
-    const int count = static_cast<int>(stencils.i.size());
-    for (const int shift : {0, -lattice.ny, lattice.ny}) {
-        if (shift != 0 && lattice.walls) break;
-        for (int n = 0; n < count; ++n) {
-            const int j = stencils.j[n] + shift;
-            if (j < marks.begin - marks.reach || j >= marks.end) continue;
-            const int i = stencils.i[n], last = i + stencils.points - 1;
-            const bool inside = i >= 0 && last < lattice.nx;
-            std::uint8_t* const row = marks.row(j);
-            row[inside ? i / sites : 0] = 1;
-            row[inside ? last / sites : marks.near.per_row() - 1] = 1;
-            if (!inside) row[(i < 0 ? i + lattice.nx : i) / sites] = 1;
-        }
-    }
-}
-
-/// From the top down, adds to each row the marks of those below from which blocks reach it.
-TT_CLONES void extend_upwards(const Marks& marks) {
-    const int pitch = marks.near.pitch();
-    for (int j = marks.end - 1; j >= marks.begin; --j) {
-        std::uint8_t* const __restrict row = marks.row(j);
-        for (int below = 1; below <= marks.reach; ++below) {
-            const std::uint8_t* const starts = marks.row(j - below);
-            for (int b = 0; b < pitch; b += 64)
-                for (int k = b; k < b + 64; ++k) row[k] |= starts[k];
-        }
-    }
-}
-
-/// Marks the sites near membranes in this thread's rows.
-template <class Real>
-void mark_near_membranes(const Lattice& lattice, Stencils<Real>& stencils) {
-    thread_local std::vector<std::uint8_t> below;
-    SiteBlocks& near = stencils.near_membranes;
-    const auto [begin, end] = own_rows(lattice);
-    const int reach = stencils.points - 1;
-    below.assign(static_cast<std::size_t>(reach * near.pitch()), 0);
-    std::fill(near.row(begin), near.row(end), std::uint8_t{0});
-    const Marks marks{near, below.data(), begin, end, reach};
-    mark_starts(lattice, stencils, marks);
-    extend_upwards(marks);
-}
-
 /// A node's force and dipole: on a site of weights w and slopes s the force is F wₓ wᵧ + D·(sₓ wᵧ,
 /// wₓ sᵧ).
 template <Order order, class Real>
@@ -129,21 +69,6 @@ TT_INLINE void spread_nodes(const Stencils<Real>& stencils, const Suspension& ce
             store_four(x, load_four(x) + given_x);
             store_four(y, load_four(y) + given_y);
         }
-    }
-}
-
-/// Zeroes a row of both fields, halo included, but for the blocks that are not marked.
-template <class Real>
-TT_INLINE void clear_row(Real* x, Real* y, int nx, const std::uint8_t* marks, int blocks) {
-    constexpr int sites = SiteBlocks::width, halo = Lattice::halo;
-    for (Real* const row : {x, y}) {
-        std::fill_n(row - halo, halo, Real{0});
-        std::fill_n(row + nx, halo, Real{0});
-    }
-    for (int b = 0; b < blocks; ++b) {
-        if (!marks[b]) continue;
-        std::fill_n(x + b * sites, sites, Real{0});
-        std::fill_n(y + b * sites, sites, Real{0});
     }
 }
 
@@ -191,9 +116,6 @@ TT_INLINE void interpolate_nodes(const Stencils<Real>& stencils, const VectorFie
 }
 
 // A function that the loader picks by processor cannot be a template: one line per order and Real.
-TT_CLONES void clear_marked(double* x, double* y, int nx, const std::uint8_t* marks, int blocks) {
-    clear_row(x, y, nx, marks, blocks);
-}
 TT_CLONES void spread_forces(const Stencils<double>& w, const Suspension& s,
                              const Rows<double>& r) {
     spread_nodes<Order::zeroth>(w, s, r);
@@ -209,9 +131,6 @@ TT_CLONES void interpolate_velocity(const Stencils<double>& w, const VectorField
 TT_CLONES void interpolate_rate(const Stencils<double>& w, const VectorField<double>& u,
                                 Suspension& s, int begin, int end) {
     interpolate_nodes<Order::first>(w, u, s, begin, end);
-}
-TT_CLONES void clear_marked(float* x, float* y, int nx, const std::uint8_t* marks, int blocks) {
-    clear_row(x, y, nx, marks, blocks);
 }
 TT_CLONES void spread_forces(const Stencils<float>& w, const Suspension& s, const Rows<float>& r) {
     spread_nodes<Order::zeroth>(w, s, r);
@@ -231,10 +150,9 @@ TT_CLONES void interpolate_rate(const Stencils<float>& w, const VectorField<floa
 }  // namespace
 
 template <class Real>
-void spread(Order order, Stencils<Real>& stencils, const Suspension& cells,
+void spread(Order order, const Stencils<Real>& stencils, const Suspension& cells,
             VectorField<Real>& force) {
     team_barrier();  // all nodes have their stencils and forces
-    mark_near_membranes(force.x.lattice(), stencils);
     const Rows<Real> rows = rows_of(force);
     if (order == Order::zeroth)
         spread_forces(stencils, cells, rows);
@@ -243,19 +161,12 @@ void spread(Order order, Stencils<Real>& stencils, const Suspension& cells,
 }
 
 template <class Real>
-void unspread(const Stencils<Real>& stencils, VectorField<Real>& force) {
-    const Rows<Real> rows = rows_of(force);
-    const Lattice& lattice = force.x.lattice();
-    const SiteBlocks& near = stencils.near_membranes;
-    for (int j = rows.begin; j < rows.end; ++j) {
-        Real* const x = force.x.row(j);
-        Real* const y = force.y.row(j);
-        if (j >= 0 && j < lattice.ny) {
-            clear_marked(x, y, lattice.nx, near.row(j), near.per_row());
-        } else {
-            std::fill(x - Lattice::halo, x + lattice.nx + Lattice::halo, Real{0});
-            std::fill(y - Lattice::halo, y + lattice.nx + Lattice::halo, Real{0});
-        }
+void clear(VectorField<Real>& force) {
+    const auto [begin, end] = own_rows_with_halo(force.x.lattice());
+    const int width = force.x.lattice().nx + 2 * Lattice::halo;
+    for (int j = begin; j < end; ++j) {
+        std::fill_n(force.x.row(j) - Lattice::halo, width, Real{0});
+        std::fill_n(force.y.row(j) - Lattice::halo, width, Real{0});
     }
 }
 
@@ -269,12 +180,12 @@ void interpolate(Order order, const Stencils<Real>& stencils, const VectorField<
         interpolate_rate(stencils, velocity, cells, begin, end);
 }
 
-template void spread(Order, Stencils<double>&, const Suspension&, VectorField<double>&);
-template void unspread(const Stencils<double>&, VectorField<double>&);
+template void spread(Order, const Stencils<double>&, const Suspension&, VectorField<double>&);
+template void clear(VectorField<double>&);
 template void interpolate(Order, const Stencils<double>&, const VectorField<double>&, Suspension&,
                           int);
-template void spread(Order, Stencils<float>&, const Suspension&, VectorField<float>&);
-template void unspread(const Stencils<float>&, VectorField<float>&);
+template void spread(Order, const Stencils<float>&, const Suspension&, VectorField<float>&);
+template void clear(VectorField<float>&);
 template void interpolate(Order, const Stencils<float>&, const VectorField<float>&, Suspension&,
                           int);
 

@@ -1,15 +1,12 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <type_traits>
 
 #include "base/isa.hpp"
 #include "base/vec2.hpp"
 #include "fluid/equilibrium.hpp"
-#include "fluid/relaxation.hpp"
 #include "grid/d2q9.hpp"
-#include "grid/site_blocks.hpp"
 
 namespace tt {
 
@@ -26,30 +23,9 @@ struct RowOfSites {
     const Real* odd;   ///< ω⁻
     Real* velocity_x;
     Real* velocity_y;
-    /// Per block of sites: is there a force, and is the velocity wanted? Null: yes, everywhere.
-    const std::uint8_t* near_membranes;
-    const std::uint8_t* kind;  ///< per block of sites: Relaxation::kind
-    const Rates* rates_of_kind;
 };
 
-/// The relaxation rates of the sites of a row.
-template <class Real>
-struct RatesPerSite {
-    const Real *even, *odd;
-    TT_INLINE Real even_at(int i) const { return even[i]; }
-    TT_INLINE Real odd_at(int i) const { return odd[i]; }
-};
-
-/// The same rates on all sites.
-struct UniformRates {
-    double even, odd;
-    TT_INLINE double even_at(int) const { return even; }
-    TT_INLINE double odd_at(int) const { return odd; }
-};
-
-/// Collides the sites [begin, end) of a row in place. Away from the membranes there is no force but
-/// the body force, the velocity is not kept and the rates are uniform: a third of all memory
-/// traffic less, which is what the pass waits for.
+/// Collides a row of sites in place. The velocity may take the place of the force.
 ///
 /// Two relaxation times work on pairs of opposite populations: with s = f_i + f_ī, d = f_i − f_ī,
 ///
@@ -75,9 +51,8 @@ struct UniformRates {
 /// steps).
 ///
 /// The populations departing stand where those arriving stood: g_i in the place of f_ī.
-template <class AnEquilibrium, bool near_membranes, class Real, class RatesOfSites>
-TT_INLINE void collide_sites(const RowOfSites<Real>& row, const RatesOfSites& rates, int begin,
-                             int end) {
+template <class AnEquilibrium, class Real>
+TT_INLINE void collide_row_with(const RowOfSites<Real>& row) {
     constexpr bool linear = std::is_same_v<AnEquilibrium, LinearEquilibrium>;
     constexpr bool full = std::is_same_v<AnEquilibrium, FullEquilibrium>;
     static_assert(d2q9::weight[0] == 4 * d2q9::weight[1] && d2q9::weight[1] == 4 * d2q9::weight[5]);
@@ -89,10 +64,12 @@ TT_INLINE void collide_sites(const RowOfSites<Real>& row, const RatesOfSites& ra
     Real *const f5 = row.at[5], *const f6 = row.at[6], *const f7 = row.at[7], *const f8 = row.at[8];
     const Real *const force_x = row.force_x, *const force_y = row.force_y;
     Real *const velocity_x = row.velocity_x, *const velocity_y = row.velocity_y;
+    const Real *const rates_even = row.even, *const rates_odd = row.odd;
+    const int count = row.count;
     const Real body_x = row.body_force.x, body_y = row.body_force.y;
 
 #pragma omp simd
-    for (int i = begin; i < end; ++i) {
+    for (int i = 0; i < count; ++i) {
         // The pairs along x, y, the rising diagonal (1, 1) and the falling one (−1, 1).
         const Real rest = f0[i];
         const Real sum_x = f1[i] + f3[i], difference_x = f1[i] - f3[i];
@@ -103,8 +80,8 @@ TT_INLINE void collide_sites(const RowOfSites<Real>& row, const RatesOfSites& ra
         const Real density_deviation = rest + ((sum_x + sum_y) + (sum_r + sum_f));
         const Real flux_x = difference_x + (difference_r - difference_f);
         const Real flux_y = difference_y + (difference_r + difference_f);
-        const Real fx = near_membranes ? force_x[i] + body_x : body_x;
-        const Real fy = near_membranes ? force_y[i] + body_y : body_y;
+        const Real fx = force_x[i] + body_x;
+        const Real fy = force_y[i] + body_y;
         const Real momentum_x = flux_x + half * fx;
         const Real momentum_y = flux_y + half * fy;
         Real ux = momentum_x;
@@ -114,13 +91,11 @@ TT_INLINE void collide_sites(const RowOfSites<Real>& row, const RatesOfSites& ra
             ux *= volume;
             uy *= volume;
         }
-        if constexpr (near_membranes) {
-            velocity_x[i] = ux;
-            velocity_y[i] = uy;
-        }
+        velocity_x[i] = ux;
+        velocity_y[i] = uy;
 
         // w e of the axes but for their own square, the squares, and of the diagonals together.
-        const Real even = Real(rates.even_at(i));
+        const Real even = rates_even[i];
         const Real half_even = half * even;
         const Real keep_even = half - half_even;
         Real e = w_axis * (even * density_deviation);
@@ -137,7 +112,7 @@ TT_INLINE void collide_sites(const RowOfSites<Real>& row, const RatesOfSites& ra
             e_r = (e + squares) + mixed;
             e_f = (e + squares) - mixed;
         }
-        const Real odd = Real(rates.odd_at(i));
+        const Real odd = rates_odd[i];
         const Real keep_odd = half - half * odd;
         const Real push_x = third * (odd * flux_x + fx);
         const Real push_y = third * (odd * flux_y + fy);
@@ -153,31 +128,6 @@ TT_INLINE void collide_sites(const RowOfSites<Real>& row, const RatesOfSites& ra
                keep_odd * difference_r + quarter * (push_y + push_x));
         depart(f6, f8, keep_even * sum_f + quarter * e_f,
                keep_odd * difference_f + quarter * (push_y - push_x));
-    }
-}
-
-/// Collides a row in place, by runs of blocks of one sort.
-template <class AnEquilibrium, class Real>
-TT_INLINE void collide_row_with(const RowOfSites<Real>& row) {
-    constexpr int width = SiteBlocks::width;
-    const RatesPerSite<Real> per_site{row.even, row.odd};
-    if (!row.near_membranes) return collide_sites<AnEquilibrium, true>(row, per_site, 0, row.count);
-    const int blocks = (row.count + width - 1) / width;
-    for (int b = 0; b < blocks;) {
-        const int begin = b * width;
-        const std::uint8_t near = row.near_membranes[b], kind = row.kind[b];
-        do ++b;
-        while (b < blocks && row.near_membranes[b] == near && (near || row.kind[b] == kind));
-        const int end = b < blocks ? b * width : row.count;
-        if (near) {
-            collide_sites<AnEquilibrium, true>(row, per_site, begin, end);
-        } else if (kind) {
-            const Rates& rates = row.rates_of_kind[kind];
-            collide_sites<AnEquilibrium, false>(row, UniformRates{rates.even, rates.odd}, begin,
-                                                end);
-        } else {
-            collide_sites<AnEquilibrium, false>(row, per_site, begin, end);
-        }
     }
 }
 

@@ -10,14 +10,13 @@ template <class Real>
 void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& boundaries,
                         Vec2 body_force, const VectorField<Real>& force,
                         const Relaxation<Real>& relaxation, Populations<Real>& populations,
-                        VectorField<Real>& velocity, const SiteBlocks* near_membranes) {
+                        VectorField<Real>& velocity) {
     const Lattice& lattice = populations.lattice();
     TT_EXPECTS(force.x.lattice() == lattice && velocity.x.lattice() == lattice);
     TT_EXPECTS(relaxation.even.lattice() == lattice && relaxation.odd.lattice() == lattice);
     RowOfSites<Real> row{};
     row.count = lattice.nx;
     row.body_force = body_force;
-    row.rates_of_kind = relaxation.rates_of_kind.data();
     const auto [begin, end] = own_rows(lattice);
     // Upwards and downwards in turn: the rows of the end of one pass, still in the cache, are
     // the first of the next. The order of sites does not matter to an update in place.
@@ -30,10 +29,8 @@ void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& bounda
         row.force_y = force.y.row(j);
         row.even = relaxation.even.row(j);
         row.odd = relaxation.odd.row(j);
-        row.kind = relaxation.kind.row(j);
         row.velocity_x = velocity.x.row(j);
         row.velocity_y = velocity.y.row(j);
-        row.near_membranes = near_membranes ? near_membranes->row(j) : nullptr;
         std::visit([&](auto kind) { collide_row(kind, row); }, equilibrium);
         finish_departures(boundaries, populations, j);
     }
@@ -41,9 +38,9 @@ void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& bounda
 
 template void collide_and_stream(const Equilibrium&, const Boundaries&, Vec2,
                                  const VectorField<double>&, const Relaxation<double>&,
-                                 Populations<double>&, VectorField<double>&, const SiteBlocks*);
+                                 Populations<double>&, VectorField<double>&);
 template void collide_and_stream(const Equilibrium&, const Boundaries&, Vec2,
                                  const VectorField<float>&, const Relaxation<float>&,
-                                 Populations<float>&, VectorField<float>&, const SiteBlocks*);
+                                 Populations<float>&, VectorField<float>&);
 
 }  // namespace tt

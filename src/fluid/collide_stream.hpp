@@ -7,7 +7,6 @@
 #include "fluid/populations.hpp"
 #include "fluid/relaxation.hpp"
 #include "grid/field.hpp"
-#include "grid/site_blocks.hpp"
 
 namespace tt {
 
@@ -16,16 +15,14 @@ namespace tt {
 ///        populations (halo filled in phase odd)
 ///   out: what departs, in the layout of the next phase;
 ///        velocity u = Σ f c + ½F (÷ ρ in the full equilibrium) at the old time, halo untouched
-/// Where `near_membranes` is given, force must be zero outside the marked blocks and velocity is
-/// set only within them; the populations are the same to the bit. `velocity` may be `force`, whose
-/// values it then replaces. Guo's forcing (Eq. 3 as
-/// corrected) split into its even and odd part, each with its own rate. Team function. `settle`
-/// (exchange.hpp) then flips the phase and brings the halo in line.
+/// `velocity` may be `force`, whose values it then replaces. Guo's forcing (Eq. 3 as corrected)
+/// split into its even and odd part, each with its own rate. Team function. `settle` (exchange.hpp)
+/// then flips the phase and brings the halo in line.
 template <class Real>
 void collide_and_stream(const Equilibrium& equilibrium, const Boundaries& boundaries,
                         Vec2 body_force, const VectorField<Real>& force,
                         const Relaxation<Real>& relaxation, Populations<Real>& populations,
-                        VectorField<Real>& velocity, const SiteBlocks* near_membranes = nullptr);
+                        VectorField<Real>& velocity);
 
 /// The same pass written plainly, out of place and site by site: the oracle of the fast one. Serial
 /// and slow; takes either phase, needs no halo (it wraps x, and y where there are no walls), and

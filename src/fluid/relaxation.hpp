@@ -1,10 +1,6 @@
 #pragma once
 
-#include <array>
-
-#include "fluid/collision/collision.hpp"
 #include "grid/field.hpp"
-#include "grid/site_blocks.hpp"
 
 namespace tt {
 
@@ -17,15 +13,8 @@ struct Relaxation {
     Field<Real> even;
     Field<Real> odd;
 
-    /// Most sites have one of few viscosities. `kind` marks the blocks of eight sites whose rates
-    /// are all `rates_of_kind[kind]`, so that the pass need not load them; 0: any rates.
-    static constexpr int kinds = 4;
-    SiteBlocks kind;
-    std::array<Rates, kinds> rates_of_kind{};
-
     Relaxation() = default;
-    explicit Relaxation(const Lattice& lattice)
-        : even(lattice, 1), odd(lattice, 1), kind(lattice) {}
+    explicit Relaxation(const Lattice& lattice) : even(lattice, 1), odd(lattice, 1) {}
 };
 
 }  // namespace tt

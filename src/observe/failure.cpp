@@ -45,7 +45,6 @@ void write_frames(const fs::path& folder, const std::string& name, const Model& 
         derive(model, before);
         frames.write(frame_of(Snapshot(model, before)));
     }
-    fill_velocity(failing);
     frames.write(frame_of(Snapshot(model, failing)));
     frames.merge();
 }

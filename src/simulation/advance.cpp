@@ -40,13 +40,12 @@ void move_nodes(Suspension& cells, int cell) {
 }
 
 template <class Real>
-void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, FlowKept kept,
-             StepTimes* times, Health* health) {
-    const bool everywhere = kept == FlowKept::everywhere || drive_looks_at(m, s.step);
+void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTimes* times,
+             Health* health) {
     const bool first_step = s.step == 0;
-    // Kept near membranes only, the velocity of a site takes the place of the force on it, which
-    // the collision is the last to read: so much less to bring into the cache.
-    VectorField<Real>& velocity = everywhere ? sites.velocity : sites.force;
+    // One field for both: the collision, the last to read the force on a site, puts the velocity in
+    // its place. So much less to bring into the cache.
+    VectorField<Real>&force = sites.velocity, &velocity = sites.velocity;
     const Order order = m.jump.has_dipole() ? Order::first : Order::zeroth;
     const auto done = [times](Pass pass) {
         if (times) times->lap(pass);
@@ -68,17 +67,16 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, FlowKept
     done(Pass::viscosity);
 
     // … then of the rows of sites …
-    unspread(sites.stencils, sites.force);
-    spread(order, sites.stencils, s.cells, sites.force);  // Eq. 9
-    x.fold(sites.force);
+    clear(force);
+    spread(order, sites.stencils, s.cells, force);  // Eq. 9
+    x.fold(force);
     done(Pass::spread);
 
     update_viscosity(m.viscosity, s.interior, sites.relaxation);
     done(Pass::viscosity);
 
-    collide_and_stream(m.equilibrium, m.boundaries, {s.drive.body_force, 0.0}, sites.force,
-                       sites.relaxation, sites.populations, velocity,
-                       everywhere ? nullptr : &sites.stencils.near_membranes);  // Eqs. 1–4
+    collide_and_stream(m.equilibrium, m.boundaries, {s.drive.body_force, 0.0}, force,
+                       sites.relaxation, sites.populations, velocity);  // Eqs. 1–4
     x.fill(velocity);
     settle(x, sites.populations);  // waits until all velocities are there
     done(Pass::fluid);
@@ -106,9 +104,8 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, FlowKept
 
 }  // namespace
 
-void advance(const Model& m, State& s, Exchange& x, FlowKept kept, StepTimes* times,
-             Health* health) {
-    std::visit([&](auto& sites) { advance(m, sites, s, x, kept, times, health); }, s.sites);
+void advance(const Model& m, State& s, Exchange& x, StepTimes* times, Health* health) {
+    std::visit([&](auto& sites) { advance(m, sites, s, x, times, health); }, s.sites);
 }
 
 }  // namespace tt

@@ -11,8 +11,7 @@ namespace tt {
 /// One time step, in the order of the paper: a team function. A function of Model and State alone;
 /// the same bits for any number of threads. Adds to `times`, if given, what each pass took; lets
 /// `health`, if given, watch the nodes where they have gone. Waits at its end.
-void advance(const Model& model, State& state, Exchange& exchange,
-             FlowKept kept = FlowKept::everywhere, StepTimes* times = nullptr,
+void advance(const Model& model, State& state, Exchange& exchange, StepTimes* times = nullptr,
              Health* health = nullptr);
 
 }  // namespace tt

@@ -6,7 +6,8 @@ namespace tt {
 
 namespace {
 
-/// u = Σ f c + ½ F of the uniform force: what an observer sees before the first step.
+/// u = Σ f c + ½ F of the uniform force: what an observer sees before the first step. A step would
+/// add that of the membranes.
 template <class Real>
 void fill_velocity(const Populations<Real>& populations, double body_force,
                    VectorField<Real>& velocity) {
@@ -23,11 +24,10 @@ void fill_velocity(const Populations<Real>& populations, double body_force,
 template <class Real>
 void derive(const Model& model, Sites<Real>& sites, State& state) {
     const Lattice& lattice = model.lattice;
-    sites.force = VectorField<Real>(lattice);
     sites.velocity = VectorField<Real>(lattice);
     fill_velocity(sites.populations, state.drive.body_force, sites.velocity);
     sites.relaxation = Relaxation<Real>(lattice);
-    sites.stencils = Stencils<Real>(lattice, state.cells.node_count());
+    sites.stencils = Stencils<Real>(state.cells.node_count());
     locate(model.delta, lattice, state.cells, sites.stencils);
     if (state.interior.x.size() == state.cells.x.size())  // kept by a checkpoint
         restore_viscosity(model.viscosity, state.cells, state.interior, sites.relaxation);
@@ -36,14 +36,6 @@ void derive(const Model& model, Sites<Real>& sites, State& state) {
 }
 
 }  // namespace
-
-void fill_velocity(State& state) {
-    std::visit(
-        [&](auto& sites) {
-            fill_velocity(sites.populations, state.drive.body_force, sites.velocity);
-        },
-        state.sites);
-}
 
 void start_flow(const Model& model, const VectorField<>& velocity, State& state) {
     state.sites = sites_at_rest(model.lattice, model.precision);

@@ -5,10 +5,6 @@
 
 namespace tt {
 
-/// The velocity that belongs to the populations and the uniform force, at all sites: what a step
-/// would compute, but for the force of the membranes.
-void fill_velocity(State& state);
-
 /// Lays out the sites in the model's precision, in the equilibrium of `velocity` and of the
 /// pressure drop (set_equilibrium).
 void start_flow(const Model& model, const VectorField<>& velocity, State& state);

@@ -228,10 +228,9 @@ void Health::watch_nodes(const Model& model, const Suspension& cells) {
     std::copy(y + begin, y + end, y_.data() + begin);
 }
 
-std::optional<Instability> Health::after_step(const Model& model, const State& state,
-                                              FlowKept kept) {
+std::optional<Instability> Health::after_step(const Model& model, const State& state, bool all) {
     if (!nodes_failed_) {
-        if (kept != FlowKept::everywhere) return std::nullopt;
+        if (!all) return std::nullopt;
         const Share own{own_rows(model.lattice), own_cells(state.cells)};
         if (examine(model, state, own)) failed_ = true;
         team_barrier();

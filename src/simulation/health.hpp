@@ -33,10 +33,10 @@ public:
     /// between the walls. Cheap; `advance` calls it in every step. Team function, by cells.
     void watch_nodes(const Model& model, const Suspension& cells);
 
-    /// After a step whose nodes were watched: what is wrong, or nothing; where the step kept the
-    /// flow everywhere, looks at all that `examine` does. Team function that tells all the same;
-    /// all threads must have waited since they watched, as they do at the end of `advance`.
-    std::optional<Instability> after_step(const Model& model, const State& state, FlowKept kept);
+    /// After a step whose nodes were watched: what is wrong, or nothing; if `all`, looks at all
+    /// that `examine` does. Team function that tells all the same; all threads must have waited
+    /// since they watched, as they do at the end of `advance`.
+    std::optional<Instability> after_step(const Model& model, const State& state, bool all);
 
     /// Is it time for all that `examine` does, after this step?
     bool due(std::int64_t step) const { return step % limits_.interval == 0; }

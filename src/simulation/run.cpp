@@ -23,11 +23,9 @@ void run_steps(const Model& model, State& state, Exchange& exchange, Health& hea
     with_team(model.threads, [&] {
         for (std::int64_t next = state.step + 1;; ++next) {
             const bool done = last[next % 2];
-            const FlowKept kept =
-                done || health.due(next) ? FlowKept::everywhere : FlowKept::near_membranes;
             if (team_rank() == 0) decide(next + 1);
-            advance(model, state, exchange, kept, times, &health);
-            const auto found = health.after_step(model, state, kept);
+            advance(model, state, exchange, times, &health);
+            const auto found = health.after_step(model, state, done || health.due(next));
             if (found && team_rank() == 0) fault = found;
             if (found || done) break;
         }

@@ -13,24 +13,19 @@
 
 namespace tt {
 
-/// Where a step leaves the fluid's velocity for others to look at. Nothing else depends on it.
-enum class FlowKept : std::uint8_t { everywhere, near_membranes };
-
 /// What the sites hold, and how the nodes meet them, in one precision. All but the populations is
 /// derived at every step.
 template <class Real>
 struct Sites {
     Populations<Real> populations;
-    VectorField<Real> force;     ///< on the fluid, by the membranes; see `advance` for what it
-                                 ///< ends as
-    VectorField<Real> velocity;  ///< of the fluid, at the last step that kept it everywhere
+    VectorField<Real> velocity;  ///< of the fluid; within a step at first the force on it
     Relaxation<Real> relaxation;
     Stencils<Real> stencils;
 
     Sites() = default;
     /// At rest; without nodes.
     explicit Sites(const Lattice& lattice)
-        : populations(lattice), force(lattice), velocity(lattice), relaxation(lattice) {}
+        : populations(lattice), velocity(lattice), relaxation(lattice) {}
 };
 using SitesInPrecision = std::variant<Sites<double>, Sites<float>>;
 

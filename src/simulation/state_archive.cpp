@@ -208,7 +208,11 @@ State load_state(const ArchiveReader& archive, const Model& model, Exchange& exc
     derive(model, state);
     state.interior.x = x;
     state.interior.y = y;
-    restore_viscosity(model.viscosity, state.cells, state.interior, state.relaxation);
+    std::visit(
+        [&](auto& sites) {
+            restore_viscosity(model.viscosity, state.cells, state.interior, sites.relaxation);
+        },
+        state.sites);
     return state;
 }
 
