@@ -73,8 +73,7 @@ TEST(Allocations, none_in_a_step_once_its_arrays_are_there) {
     long before = 0;
     for (int n = 0; n < 300; ++n) {
         if (n == 100) before = allocations;
-        advance(model, state, exchange,
-                n % 3 == 0 ? FlowKept::everywhere : FlowKept::near_membranes);
+        advance(model, state, exchange);
     }
     const long after = allocations;
     EXPECT_EQ(after, before);

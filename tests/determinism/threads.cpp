@@ -22,9 +22,7 @@ std::uint64_t hash_after_steps(bool walls, int threads) {
     derive(model, state);
     Periodic exchange;
     with_team(threads, [&] {
-        for (int k = 0; k < 150; ++k)
-            advance(model, state, exchange,
-                    k % 3 == 0 ? FlowKept::everywhere : FlowKept::near_membranes);
+        for (int k = 0; k < 150; ++k) advance(model, state, exchange);
     });
     EXPECT_GT(state.contact.repulsion_count, 0);
     return state_hash(state);

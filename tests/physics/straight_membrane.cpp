@@ -115,7 +115,7 @@ Seen see(const Delta& delta, const Strip& strip, int box, double ratio, double l
         }
     }
     for (auto* v : {&cells.ux, &cells.uy, &cells.rate_xx, &cells.rate_xy}) v->resize(2 * count);
-    Stencils stencils(lattice, 2 * count);
+    Stencils stencils(2 * count);
     VectorField force(lattice), u(lattice);
     Populations populations(lattice);
     Periodic exchange;

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -309,34 +308,6 @@ TEST(Viscosity, of_a_moving_cell_neither_lags_nor_leads_on_average) {
         EXPECT_LE(std::abs(cells.x[0] - interior.x[0]), model.refresh_distance + 1e-12);
     }
     EXPECT_LT(std::abs(lag / steps), 0.02);
-}
-
-TEST(Viscosity, marks_the_blocks_of_one_viscosity_truly) {
-    const Lattice lattice{61, 48, true};
-    Suspension cells;
-    add_cell(cells, placed(circle(14.0, 80), 0.0, {50.0, 24.0}));
-    ViscosityModel model = model_with(AreaFraction{});
-    model.layer_viscosity = 0.3;
-    model.layer_thickness = 5.25;
-    InteriorState interior;
-    Relaxation relaxation(lattice);
-    rebuild_viscosity(model, cells, interior, relaxation);
-    std::array<int, Relaxation<>::kinds> blocks{};
-    for (int step = 0; step < 50; ++step) {
-        for (double& x : cells.x) x += 0.2;
-        lay_cytoplasm(model, cells, interior);
-        update_viscosity(model, interior, relaxation);
-        for (int j = 0; j < lattice.ny; ++j) {
-            for (int i = 0; i < lattice.nx; ++i) {
-                const int kind = relaxation.kind.row(j)[i / SiteBlocks::width];
-                ++blocks[kind];
-                if (kind == 0) continue;
-                ASSERT_EQ(relaxation.even(i, j), relaxation.rates_of_kind[kind].even);
-                ASSERT_EQ(relaxation.odd(i, j), relaxation.rates_of_kind[kind].odd);
-            }
-        }
-    }
-    for (const int count : blocks) EXPECT_GT(count, 0);
 }
 
 TEST(Viscosity, keeps_the_last_good_field_when_positions_are_not_finite) {

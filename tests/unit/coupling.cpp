@@ -40,7 +40,7 @@ class EveryKernel : public testing::TestWithParam<Kernel> {};
 
 TEST_P(EveryKernel, force_on_sites_equals_force_on_nodes_up_to_the_wall) {
     const Suspension cells = strewn(1);
-    Stencils stencils(channel, cells.node_count());
+    Stencils stencils(cells.node_count());
     VectorField force(channel);
     locate(GetParam().delta, channel, cells, stencils);
     spread(Order::zeroth, stencils, cells, force);
@@ -68,7 +68,7 @@ TEST_P(EveryKernel, spread_and_interpolate_are_adjoint) {
     // Σ_nodes F·U(u) = Σ_sites f(F)·u for every force and velocity: the power put in is the power
     // taken out.
     Suspension cells = strewn(2);
-    Stencils stencils(channel, cells.node_count());
+    Stencils stencils(cells.node_count());
     VectorField force(channel), velocity(channel);
     Random random(3);
     for (int j = 0; j < channel.ny; ++j) {
@@ -94,7 +94,7 @@ TEST_P(EveryKernel, spread_and_interpolate_are_adjoint) {
 TEST_P(EveryKernel, linear_velocity_is_interpolated_exactly_up_to_the_wall) {
     if (!GetParam().first_moment_vanishes) return;
     Suspension cells = strewn(4, 0.05);
-    Stencils stencils(channel, cells.node_count());
+    Stencils stencils(cells.node_count());
     VectorField velocity(channel);
     for (int j = -2; j < channel.ny + 2; ++j) {
         for (int i = -2; i < channel.nx + 2; ++i) {
@@ -115,13 +115,13 @@ TEST_P(EveryKernel, linear_velocity_is_interpolated_exactly_up_to_the_wall) {
 
 TEST_P(EveryKernel, gives_the_same_bits_for_any_number_of_threads) {
     Suspension cells = strewn(6);
-    Stencils stencils(channel, cells.node_count());
+    Stencils stencils(cells.node_count());
     VectorField one(channel);
     locate(GetParam().delta, channel, cells, stencils);
     spread(Order::zeroth, stencils, cells, one);
     for (int threads : {2, 3, 7}) {
         VectorField many(channel);
-        Stencils shared(channel, cells.node_count());
+        Stencils shared(cells.node_count());
         with_team(threads, [&] {
             locate(GetParam().delta, channel, cells, shared);
             spread(Order::zeroth, shared, cells, many);
@@ -146,7 +146,7 @@ TEST_P(EveryKernel, blocks_of_nodes_on_the_ends_of_the_box_lie_on_sites_and_halo
             const double y = shares[n / 5];
             cells.y[n] = box.ny * (box.walls ? std::clamp(y, 0.0, 1.0) : y);
         }
-        Stencils stencils(box, cells.node_count());
+        Stencils stencils(cells.node_count());
         locate(GetParam().delta, box, cells, stencils);
         constexpr int width = Stencils<>::width;
         for (int n = 0; n < cells.node_count(); ++n) {
@@ -185,64 +185,6 @@ TEST(FourPointKernels, do_not_see_the_staggered_mode) {
             EXPECT_NEAR(w[1] + w[3], 0.5, 1e-14);
             EXPECT_NEAR(slope[0] + slope[2], 0.0, 1e-14);
             EXPECT_NEAR(slope[1] + slope[3], 0.0, 1e-14);
-        }
-    }
-}
-
-TEST_P(EveryKernel, marks_every_site_that_a_force_reaches) {
-    for (const Lattice& box :
-         {Lattice{40, 14, true}, Lattice{40, 14, false}, Lattice{33, 14, false}}) {
-        for (const double x : {-31.0, 0.5, 20.0, 37.5}) {
-            Suspension cells;
-            add_cell(cells, placed(circle(4.0, 40), 0.0, {x, box.walls ? 5.0 : 13.0}));
-            for (int n = 0; n < cells.node_count(); ++n) cells.fx[n] = cells.fy[n] = 1.0;
-            Stencils stencils(box, cells.node_count());
-            VectorField force(box);
-            Periodic exchange;
-            with_team(2, [&] {
-                locate(GetParam().delta, box, cells, stencils);
-                spread(Order::zeroth, stencils, cells, force);
-                exchange.fold(force);
-            });
-            int marked = 0;
-            for (int j = 0; j < box.ny; ++j) {
-                for (int i = 0; i < box.nx; ++i) {
-                    const bool mark = stencils.near_membranes.row(j)[i / SiteBlocks::width] != 0;
-                    marked += mark ? 1 : 0;
-                    ASSERT_TRUE(mark || force.x(i, j) == 0.0) << i << ' ' << j;
-                }
-            }
-            EXPECT_LT(marked, 3 * box.nx * box.ny / 4);
-        }
-    }
-}
-
-TEST_P(EveryKernel, leaves_no_force_behind_across_periodic_ends) {
-    for (const Lattice& box :
-         {Lattice{20, 14, true}, Lattice{20, 14, false}, Lattice{17, 14, false}}) {
-        Suspension cells;
-        add_cell(cells,
-                 placed(circle(4.0, 40), 0.0, {box.walls ? 41.0 : -19.5, box.walls ? 6.0 : 13.0}));
-        for (int n = 0; n < cells.node_count(); ++n) cells.fx[n] = cells.fy[n] = 1.0;
-        Stencils stencils(box, cells.node_count());
-        VectorField force(box);
-        locate(GetParam().delta, box, cells, stencils);
-        spread(Order::zeroth, stencils, cells, force);
-        // What Exchange::fold does with the halo.
-        for (int j = -2; j < box.ny + 2; ++j) {
-            for (int i = -2; i < box.nx + 2; ++i) {
-                const int wi = (i + box.nx) % box.nx, wj = box.walls ? j : (j + box.ny) % box.ny;
-                if (wi == i && wj == j) continue;
-                for (Field<>* f : {&force.x, &force.y}) {
-                    (*f)(wi, wj) += (*f)(i, j);
-                    (*f)(i, j) = 0.0;
-                }
-            }
-        }
-        with_team(2, [&] { unspread(stencils, force); });
-        for (std::size_t k = 0; k < force.x.size(); ++k) {
-            ASSERT_EQ(force.x.data()[k], 0.0);
-            ASSERT_EQ(force.y.data()[k], 0.0);
         }
     }
 }

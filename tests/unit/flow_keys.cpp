@@ -69,7 +69,7 @@ RunMeasures after(const Case& c, int steps) {
     State state = initial_state(c, model);
     Periodic exchange;
     with_team(1, [&] {
-        for (int n = 0; n < steps; ++n) advance(model, state, exchange, FlowKept::everywhere);
+        for (int n = 0; n < steps; ++n) advance(model, state, exchange);
     });
     return measure_run(model, state, measure_cells(model, state));
 }

@@ -24,8 +24,7 @@ protected:
     std::optional<Instability> after_step() {
         health.watch_nodes(model, state.cells);
         team_barrier();
-        return health.after_step(
-            model, state, health.due(state.step) ? FlowKept::everywhere : FlowKept::near_membranes);
+        return health.after_step(model, state, health.due(state.step));
     }
     std::string found_after_step() {
         const auto fault = after_step();

@@ -41,6 +41,16 @@ TEST(Choice, the_kernel_of_ten_times_the_viscosity_is_that_of_the_documents) {
     EXPECT_EQ(delta("12.01 cP"), "peskin4");
 }
 
+TEST(Choice, single_precision_is_for_cells_and_tolerances_of_a_percent) {
+    const auto precision = [](const char* name, const char* change) {
+        return choice_of(name, {change}).precision;
+    };
+    EXPECT_EQ(precision("03-cell-in-shear", "numerics.step_tolerance=1 %"), "single");
+    EXPECT_EQ(precision("03-cell-in-shear", "numerics.step_tolerance=0.99 %"), "double");
+    EXPECT_EQ(precision("03-cell-in-shear", "numerics.precision=double"), "double");
+    EXPECT_EQ(precision("01-poiseuille", "numerics.step_tolerance=1 %"), "double");
+}
+
 TEST(StepLimits, of_the_default_tolerance_are_the_documented_ones) {
     const Choice shear = choice_of("03-cell-in-shear", {});
     EXPECT_EQ(shear.limits.front().name, "Reynolds number");
