@@ -45,10 +45,10 @@ TEST(Choice, single_precision_is_for_cells_and_tolerances_of_a_percent) {
     const auto precision = [](const char* name, const char* change) {
         return choice_of(name, {change}).precision;
     };
-    EXPECT_EQ(precision("03-cell-in-shear", "numerics.step_tolerance=1 %"), "single");
-    EXPECT_EQ(precision("03-cell-in-shear", "numerics.step_tolerance=0.99 %"), "double");
-    EXPECT_EQ(precision("03-cell-in-shear", "numerics.precision=double"), "double");
-    EXPECT_EQ(precision("01-poiseuille", "numerics.step_tolerance=1 %"), "double");
+    EXPECT_EQ(precision("03-cell-in-shear", "numerics.step_tolerance=1 %"), Precision::fp32);
+    EXPECT_EQ(precision("03-cell-in-shear", "numerics.step_tolerance=0.99 %"), Precision::fp64);
+    EXPECT_EQ(precision("03-cell-in-shear", "numerics.precision=double"), Precision::fp64);
+    EXPECT_EQ(precision("01-poiseuille", "numerics.step_tolerance=1 %"), Precision::fp64);
 }
 
 TEST(StepLimits, of_the_default_tolerance_are_the_documented_ones) {
