@@ -15,7 +15,7 @@ template <class Real>
 struct Row {
     static constexpr int count = 403;
     std::array<std::vector<Real>, d2q9::count> populations;
-    std::array<std::vector<double>, 6> fields;
+    std::array<std::vector<Real>, 6> fields;
     RowOfSites<Real> sites{};
 
     Row() {
@@ -34,10 +34,9 @@ struct Row {
         sites.velocity_y = fields[5].data();
     }
 
-    template <class Number>
-    static void fill(std::vector<Number>& line, Random& random, double low, double high) {
+    static void fill(std::vector<Real>& line, Random& random, double low, double high) {
         line.resize(count);
-        for (Number& v : line) v = static_cast<Number>(random.uniform(low, high));
+        for (Real& v : line) v = static_cast<Real>(random.uniform(low, high));
     }
 };
 

@@ -10,6 +10,7 @@
 #include "coupling/viscosity_mean.hpp"
 #include "exchange/periodic.hpp"
 #include "fluid/collide_stream.hpp"
+#include "fluid/collision/collision.hpp"
 
 /// Measures what KernelSpread states: two straight membranes in direction t through a periodic box,
 /// cytoplasm between them, a tangential load f and a dipole d (t n + n t) on the nodes. Nothing

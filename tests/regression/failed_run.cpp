@@ -144,8 +144,7 @@ TEST_F(FailedRun, goes_on_with_other_numerics_from_its_last_good_state) {
     EXPECT_EQ(change["changes"]["membrane.hold_area"], (Json{"false", "true"}));
     EXPECT_NE(read_file(path("o") / "run.log").find("numerics changed at step"), std::string::npos);
     const std::string note = changes_note(read_results(path("o")));
-    EXPECT_NE(note.find("membrane.hold_area = true, before false."), std::string::npos)
-        << note;
+    EXPECT_NE(note.find("membrane.hold_area = true, before false."), std::string::npos) << note;
     EXPECT_EQ(run_verb("resume").code, 0) << "finished";
 }
 

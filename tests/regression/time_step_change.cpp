@@ -39,7 +39,7 @@ double difference(const Model& m, const State& a, const Model& n, const State& b
     const double unit_b = n.scales.unit(Velocity::dimension);
     for (int j = 0; j < m.lattice.ny; ++j) {
         for (int i = 0; i < m.lattice.nx; ++i) {
-            const double in_a = unit_a * a.velocity.x(i, j), in_b = unit_b * b.velocity.x(i, j);
+            const double in_a = unit_a * a.velocity(i, j).x, in_b = unit_b * b.velocity(i, j).x;
             largest = std::max(largest, std::abs(in_a - in_b));
             fastest = std::max(fastest, std::abs(in_a));
         }
