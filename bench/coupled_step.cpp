@@ -48,8 +48,7 @@ struct Run {
 
     void advance_by(int steps, StepTimes* times = nullptr) {
         with_team(model.threads, [&] {
-            for (int k = 0; k < steps; ++k)
-                advance(model, state, exchange, times);
+            for (int k = 0; k < steps; ++k) advance(model, state, exchange, times);
         });
     }
 };

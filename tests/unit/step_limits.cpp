@@ -31,10 +31,9 @@ double step_of(const Choice& choice, const std::string& limit) {
 
 TEST(Choice, the_kernel_of_ten_times_the_viscosity_is_that_of_the_documents) {
     const auto delta = [](const std::string& cytoplasm) {
-        return word_of(
-            choice_of("03-cell-in-shear",
-                      {"plasma.viscosity=1.2 cP", "cells.cytoplasm_viscosity=" + cytoplasm})
-                .delta);
+        return word_of(choice_of("03-cell-in-shear", {"plasma.viscosity=1.2 cP",
+                                                      "cells.cytoplasm_viscosity=" + cytoplasm})
+                           .delta);
     };
     EXPECT_EQ(delta("12 cP"), "roma3");
     EXPECT_EQ(delta("0.12 cP"), "roma3");
