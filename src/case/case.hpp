@@ -14,6 +14,7 @@
 #include "coupling/delta/delta.hpp"
 #include "coupling/viscosity.hpp"
 #include "fluid/equilibrium.hpp"
+#include "grid/field.hpp"
 #include "interaction/contact.hpp"
 #include "membrane/bending/bending.hpp"
 #include "membrane/hardening.hpp"

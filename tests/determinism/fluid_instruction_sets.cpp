@@ -34,10 +34,9 @@ struct Row {
         sites.velocity_y = fields[5].data();
     }
 
-    template <class Number>
-    static void fill(std::vector<Number>& line, Random& random, double low, double high) {
+    static void fill(std::vector<Real>& line, Random& random, double low, double high) {
         line.resize(count);
-        for (Number& v : line) v = static_cast<Number>(random.uniform(low, high));
+        for (Real& v : line) v = static_cast<Real>(random.uniform(low, high));
     }
 };
 

@@ -5,12 +5,12 @@
 #include <variant>
 #include <vector>
 
-#include "fluid/collision/collision.hpp"
 #include "coupling/delta/delta.hpp"
 #include "coupling/stencil.hpp"
 #include "coupling/viscosity_mean.hpp"
 #include "exchange/periodic.hpp"
 #include "fluid/collide_stream.hpp"
+#include "fluid/collision/collision.hpp"
 
 /// Measures what KernelSpread states: two straight membranes in direction t through a periodic box,
 /// cytoplasm between them, a tangential load f and a dipole d (t n + n t) on the nodes. Nothing
