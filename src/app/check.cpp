@@ -152,7 +152,11 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
     print_line("precision", precision_text(c, choice));
     if (a.cells > 0) print_line("kernel", std::string(word_of(choice.delta)));
     print_line("density scale",
-               choice.density_scale < 1.0 + 1e-9
+               choice.density_scale < 1.0 - 1e-9
+                   ? fmt::format("{:.3g} times the density and the Reynolds number: less inertia "
+                                 "than there is, as the step must be so short",
+                                 choice.density_scale)
+               : choice.density_scale < 1.0 + 1e-9
                    ? std::string("1: the physical Reynolds number")
                    : fmt::format("{:.4g} times the density and the Reynolds number, and as much "
                                  "longer steps",

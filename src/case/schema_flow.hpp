@@ -116,7 +116,7 @@ struct FieldList<PlasmaCase> {
         FieldEntry{"viscosity",
                    &T::viscosity,
                    "dynamic viscosity of the plasma",
-                   fluid_viscosity,
+                   Range{1e-5, 1e3},
                    {},
                    "1.2 cP"},
         FieldEntry{"density",

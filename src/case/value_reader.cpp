@@ -52,8 +52,11 @@ std::string_view first_example(std::string_view example) {
 
 std::string missing_unit(const FieldText& field, const std::string& shown_text, double bare,
                          Dimension dimension) {
+    const std::string_view example = first_example(field.example);
+    const std::string meant = with_unit(bare, dimension, example);
+    const bool possible = field.range.contains(parse_measure(meant).si);
     return fmt::format("{} = {} has no unit; write {} = {}", field.key, shown_text, field.key,
-                       toml_string(with_unit(bare, dimension, first_example(field.example))));
+                       toml_string(possible ? meant : std::string(example)));
 }
 
 bool meant_percent(const TomlNode& node, const FieldText& field, double number) {

@@ -167,6 +167,8 @@ TEST(CaseFile, overrides_follow_the_rules_of_the_file) {
     EXPECT_EQ(faults_of(channel, {"flow.pseudo_shear_rate=150"}),
               "--set flow.pseudo_shear_rate=150: pseudo_shear_rate = 150 has no unit; write "
               "pseudo_shear_rate = \"150 /s\"");
+    EXPECT_EQ(faults_of(channel, {"output.frames=0"}),
+              "--set output.frames=0: frames = 0 has no unit; write frames = \"1 ms\"");
     EXPECT_EQ(faults_of(channel, {"flow.shear=1 /s"}),
               "--set flow.shear=1 /s: unknown key 'shear' in [flow]; did you mean 'shear_rate'?");
     EXPECT_NE(faults_of(channel, {"nonsense"}).find("write --set table.key=value"),
