@@ -40,7 +40,10 @@ void keep(const fs::path& path, const fs::path& previous, Durability durability)
     fs::create_hard_link(path, link, code);
     // A file system without hard links: for a moment only `previous` exists, which readers fall
     // back to.
-    move_into_place(code ? path : link, previous, durability);
+    const bool linked = !code;
+    move_into_place(linked ? link : path, previous, durability);
+    // Where a kill came before, both are names of one file, and a renaming did nothing (POSIX).
+    if (linked) fs::remove(link, code);
 }
 
 }  // namespace

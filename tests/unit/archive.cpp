@@ -29,6 +29,14 @@ TEST_F(Archive, gives_back_the_same_bits) {
     EXPECT_EQ(archive.text("name"), "shear, 75 /s");
 }
 
+TEST_F(Archive, leaves_nothing_behind_where_a_kill_came_between_its_two_renamings) {
+    write_archive(path("a"));
+    std::filesystem::create_hard_link(path("a"), path("before"));
+    write_archive(path("a"), path("before"));
+    for (const auto& entry : std::filesystem::directory_iterator(path("")))
+        EXPECT_NE(entry.path().extension(), ".tmp") << entry.path();
+}
+
 TEST_F(Archive, no_flipped_bit_goes_unnoticed) {
     write_archive(path("a"));
     const std::string whole = read_file(path("a"));
