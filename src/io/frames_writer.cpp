@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -100,7 +101,10 @@ void FramesWriter::sync() {
 
 std::vector<std::string> FramesWriter::merge() {
     const fs::path temporary = directory_ / "frames.h5.tmp";
-    const FramesReader from(index());
+    std::optional<FramesReader> parts(std::in_place, index());
+    // What cannot be read may be damaged, or the disk has failed but once.
+    if (parts->count() < static_cast<int>(times_.size())) parts.emplace(index());
+    const FramesReader& from = *parts;
     std::error_code ignored;
     try {
         write_whole(from, temporary);
