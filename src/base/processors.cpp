@@ -49,7 +49,7 @@ int processors_by_quota(const std::vector<fs::path>& groups) {
 }
 
 int threads_for(std::int64_t sites, std::int64_t nodes, int usable) {
-    constexpr std::int64_t node = 50, share = 10'000;  // what a node and a thread's part are worth
+    constexpr std::int64_t node = 50, share = 3'000;  // what a node and a thread's part are worth
     return static_cast<int>(std::clamp<std::int64_t>((sites + node * nodes) / share, 1, usable));
 }
 

@@ -12,7 +12,7 @@ namespace tt {
 int usable_processors();
 
 /// How many of `usable` processors a step of so many sites and membrane nodes can use: each thread
-/// gets at least as much to do as pays for waiting for the others: 10 000 sites or 200 nodes,
+/// gets at least as much to do as pays for waiting for the others: 3000 sites or 60 nodes,
 /// measured on two cores (docs/performance.md). At least 1.
 int threads_for(std::int64_t sites, std::int64_t nodes, int usable);
 

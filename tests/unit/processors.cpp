@@ -84,10 +84,10 @@ TEST(Processors, those_of_the_affinity_are_usable) {
 
 /// The sizes of docs/performance.md, on two cores.
 TEST(ThreadsFor, small_steps_are_not_shared_and_large_ones_are) {
-    EXPECT_EQ(threads_for(960, 34, 2), 1);
-    EXPECT_EQ(threads_for(5000, 192, 2), 1);  // 4 cells
-    EXPECT_EQ(threads_for(5000, 576, 2), 2);  // 12 cells
-    EXPECT_EQ(threads_for(10'000, 256, 2), 2);
+    EXPECT_EQ(threads_for(960, 43, 2), 1);
+    EXPECT_EQ(threads_for(2400, 86, 2), 2);
+    EXPECT_EQ(threads_for(5000, 172, 2), 2);  // 4 cells
+    EXPECT_EQ(threads_for(10'000, 516, 2), 2);
     EXPECT_EQ(threads_for(40'000, 1512, 2), 2);
     EXPECT_EQ(threads_for(40'000, 1512, 1), 1);
     EXPECT_EQ(threads_for(100, 0, 64), 1);
