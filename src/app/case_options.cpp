@@ -71,9 +71,12 @@ std::int64_t expected_nodes(const Case& c, const Choice& choice) {
     if (c.numerics.fluid_only) return 0;
     const double radius = equivalent_radius(c).si, dx = choice.dx.si;
     const double box = choice.nx * dx * choice.ny * dx;
+    const auto* layout = std::get_if<AtPositions>(&c.cells.layout);
+    const auto count =
+        layout ? static_cast<std::int64_t>(layout->positions.size()) : c.cells.count.value_or(1);
     const double cells = c.cells.hematocrit
                              ? *c.cells.hematocrit * box / (std::numbers::pi * radius * radius)
-                             : static_cast<double>(c.cells.count.value_or(1));
+                             : static_cast<double>(count);
     return std::llround(cells * 2.0 * std::numbers::pi * radius / (choice.node_spacing * dx));
 }
 

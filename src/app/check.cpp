@@ -78,8 +78,7 @@ std::string start_text(const Case& c, const Choice& choice, const Appraisal& a) 
             ? fmt::format("nearest membranes {:.2g} sites ({}) apart", a.smallest_gap,
                           rounded_text(Length{a.smallest_gap * choice.dx.si}, 2))
             : fmt::format("no two membranes nearer than {:.2g} sites", gap_reach);
-    if (a.contact_distance > 0.0 && a.smallest_gap < gap_reach &&
-        a.smallest_gap < a.contact_distance)
+    if (a.smallest_gap < std::min(gap_reach, a.contact_distance))
         text += fmt::format(", below zero_force_distance, {}",
                             rounded_text(Length{a.contact_distance * choice.dx.si}));
     if (c.domain.sides == Sides::walls)

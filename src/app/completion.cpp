@@ -14,12 +14,8 @@
 namespace tt {
 namespace {
 
-bool begins_with(std::string_view text, std::string_view start) {
-    return text.substr(0, start.size()) == start;
-}
-
 Completion of_words(std::vector<Candidate> words, std::string_view begun) {
-    std::erase_if(words, [&](const Candidate& c) { return !begins_with(c.word, begun); });
+    std::erase_if(words, [&](const Candidate& c) { return !c.word.starts_with(begun); });
     return {Completion::Kind::words, std::move(words)};
 }
 
@@ -90,7 +86,7 @@ Completion of_options(const CLI::App& app, std::string_view begun) {
 }
 
 const CLI::Option* option_named(const CLI::App& app, const std::string& name) {
-    return begins_with(name, "-") ? app.get_option_no_throw(name) : nullptr;
+    return name.starts_with("-") ? app.get_option_no_throw(name) : nullptr;
 }
 
 /// The argument that comes after `count` others; the last may take several.
@@ -111,7 +107,7 @@ Completion of_verb(const CLI::App& verb, const std::vector<std::string>& words) 
     for (std::size_t k = 0; k + 1 < words.size(); ++k) {
         if (waiting != nullptr) {
             waiting = nullptr;
-        } else if (!begins_with(words[k], "-")) {
+        } else if (!words[k].starts_with("-")) {
             ++arguments;
         } else if (const CLI::Option* option = option_named(verb, words[k])) {
             waiting = kind_of_value(*option).empty() ? nullptr : option;
@@ -119,13 +115,13 @@ Completion of_verb(const CLI::App& verb, const std::vector<std::string>& words) 
     }
     if (waiting != nullptr) return of_values(*waiting, begun, "");
     const std::size_t equals = begun.find('=');
-    if (begins_with(begun, "--") && equals != begun.npos) {
+    if (begun.starts_with("--") && equals != begun.npos) {
         const CLI::Option* option = option_named(verb, begun.substr(0, equals));
         if (option == nullptr) return {};
         return of_values(*option, std::string_view(begun).substr(equals + 1),
                          begun.substr(0, equals + 1));
     }
-    if (begins_with(begun, "-")) return of_options(verb, begun);
+    if (begun.starts_with("-")) return of_options(verb, begun);
     const CLI::Option* argument = argument_after(verb, arguments);
     return argument == nullptr ? Completion{} : of_values(*argument, begun, "");
 }

@@ -48,7 +48,7 @@ std::vector<fs::path> control_groups(std::string_view controller) {
     return control_groups("/sys/fs/cgroup", membership, controller);
 }
 
-std::string word_of(const fs::path& path) {
+std::string first_word_of(const fs::path& path) {
     std::ifstream file(path);
     std::string word;
     file >> word;

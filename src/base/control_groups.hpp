@@ -18,6 +18,6 @@ std::vector<std::filesystem::path> control_groups(const std::filesystem::path& m
 std::vector<std::filesystem::path> control_groups(std::string_view controller);
 
 /// The first word of a file; empty where there is none.
-std::string word_of(const std::filesystem::path& file);
+std::string first_word_of(const std::filesystem::path& file);
 
 }  // namespace tt

@@ -17,7 +17,7 @@ double memory_by_limit(const std::vector<std::filesystem::path>& groups) {
     for (const auto& group : groups) {
         for (const char* name : {"memory.max", "memory.limit_in_bytes"}) {
             // "max" and "-1": none. Version 1 writes a number near 2^63 for none.
-            const double limit = std::strtod(word_of(group / name).c_str(), nullptr);
+            const double limit = std::strtod(first_word_of(group / name).c_str(), nullptr);
             if (limit > 0.0) smallest = std::min(smallest, limit);
         }
     }

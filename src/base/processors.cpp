@@ -28,7 +28,8 @@ int quota_of(const fs::path& group) {
     std::ifstream file(group / "cpu.max");
     std::string quota, period;
     if (file >> quota >> period) return processors(quota, period);
-    return processors(word_of(group / "cpu.cfs_quota_us"), word_of(group / "cpu.cfs_period_us"));
+    return processors(first_word_of(group / "cpu.cfs_quota_us"),
+                      first_word_of(group / "cpu.cfs_period_us"));
 }
 
 int lesser_quota(int a, int b) { return a == 0 || (b != 0 && b < a) ? b : a; }

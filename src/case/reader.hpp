@@ -239,7 +239,7 @@ private:
                     T& result) {
         std::string word{word_of(result)};
         read_value(entry, node, field, word);
-        if (word != word_of(result)) choose_word(word, result);
+        choose_word(word, result);
     }
 
     template <class T>

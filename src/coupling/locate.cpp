@@ -28,7 +28,7 @@ struct Axis {
 /// Nodes are weighed a block at a time, side by side, and then laid out node by node: scattered
 /// stores would cost more than the arithmetic.
 template <class Kernel, class Real>
-TT_INLINE void weigh(const Axis<Real>& axis, int begin, int end) {
+TT_CLONES void weigh(const Axis<Real>& axis, int begin, int end) {
     constexpr int size = 64;
     double w0[size], w1[size], w2[size], w3[size], s0[size], s1[size], s2[size], s3[size];
     const double period = axis.period;
@@ -59,32 +59,6 @@ TT_INLINE void weigh(const Axis<Real>& axis, int begin, int end) {
             store_four(slopes + width * n, four(s0[n], s1[n], s2[n], s3[n]));
         }
     }
-}
-
-// A function that the loader picks by processor cannot be a template: one line per kernel and Real.
-TT_CLONES void weigh_axis(Cosine4, const Axis<double>& axis, int begin, int end) {
-    weigh<Cosine4>(axis, begin, end);
-}
-TT_CLONES void weigh_axis(Cosine4, const Axis<float>& axis, int begin, int end) {
-    weigh<Cosine4>(axis, begin, end);
-}
-TT_CLONES void weigh_axis(Hat2, const Axis<double>& axis, int begin, int end) {
-    weigh<Hat2>(axis, begin, end);
-}
-TT_CLONES void weigh_axis(Hat2, const Axis<float>& axis, int begin, int end) {
-    weigh<Hat2>(axis, begin, end);
-}
-TT_CLONES void weigh_axis(Roma3, const Axis<double>& axis, int begin, int end) {
-    weigh<Roma3>(axis, begin, end);
-}
-TT_CLONES void weigh_axis(Roma3, const Axis<float>& axis, int begin, int end) {
-    weigh<Roma3>(axis, begin, end);
-}
-TT_CLONES void weigh_axis(Peskin4, const Axis<double>& axis, int begin, int end) {
-    weigh<Peskin4>(axis, begin, end);
-}
-TT_CLONES void weigh_axis(Peskin4, const Axis<float>& axis, int begin, int end) {
-    weigh<Peskin4>(axis, begin, end);
 }
 
 /// Linear extrapolation from the two rows nearest to a wall, for a node so near that fewer than two
@@ -160,9 +134,9 @@ void locate(const Delta& delta, const Lattice& lattice, const Suspension& cells,
     const Axis<Real> along_y{cells.y.data(),    lattice.ny,         y_period,
                              stencils.j.data(), stencils.wy.data(), stencils.sy.data()};
     std::visit(
-        [&, begin = begin, end = end](auto kernel) {
-            weigh_axis(kernel, along_x, begin, end);
-            weigh_axis(kernel, along_y, begin, end);
+        [&, begin = begin, end = end]<class Kernel>(Kernel) {
+            weigh<Kernel>(along_x, begin, end);
+            weigh<Kernel>(along_y, begin, end);
         },
         delta);
     if (!lattice.walls) return;

@@ -36,7 +36,7 @@ Rows<Real> rows_of(VectorField<Real>& field) {
 /// A node's force and dipole: on a site of weights w and slopes s the force is F wₓ wᵧ + D·(sₓ wᵧ,
 /// wₓ sᵧ).
 template <Order order, class Real>
-TT_INLINE void spread_nodes(const Stencils<Real>& stencils, const Suspension& cells,
+TT_CLONES void spread_nodes(const Stencils<Real>& stencils, const Suspension& cells,
                             const Rows<Real>& rows) {
     const int count = cells.node_count();
     for (int n = 0; n < count; ++n) {
@@ -73,7 +73,7 @@ TT_INLINE void spread_nodes(const Stencils<Real>& stencils, const Suspension& ce
 }
 
 template <Order order, class Real>
-TT_INLINE void interpolate_nodes(const Stencils<Real>& stencils, const VectorField<Real>& velocity,
+TT_CLONES void interpolate_nodes(const Stencils<Real>& stencils, const VectorField<Real>& velocity,
                                  Suspension& cells, int begin, int end) {
     const Real* const x = velocity.x.row(0);
     const Real* const y = velocity.y.row(0);
@@ -115,38 +115,6 @@ TT_INLINE void interpolate_nodes(const Stencils<Real>& stencils, const VectorFie
     }
 }
 
-// A function that the loader picks by processor cannot be a template: one line per order and Real.
-TT_CLONES void spread_forces(const Stencils<double>& w, const Suspension& s,
-                             const Rows<double>& r) {
-    spread_nodes<Order::zeroth>(w, s, r);
-}
-TT_CLONES void spread_dipoles(const Stencils<double>& w, const Suspension& s,
-                              const Rows<double>& r) {
-    spread_nodes<Order::first>(w, s, r);
-}
-TT_CLONES void interpolate_velocity(const Stencils<double>& w, const VectorField<double>& u,
-                                    Suspension& s, int begin, int end) {
-    interpolate_nodes<Order::zeroth>(w, u, s, begin, end);
-}
-TT_CLONES void interpolate_rate(const Stencils<double>& w, const VectorField<double>& u,
-                                Suspension& s, int begin, int end) {
-    interpolate_nodes<Order::first>(w, u, s, begin, end);
-}
-TT_CLONES void spread_forces(const Stencils<float>& w, const Suspension& s, const Rows<float>& r) {
-    spread_nodes<Order::zeroth>(w, s, r);
-}
-TT_CLONES void spread_dipoles(const Stencils<float>& w, const Suspension& s, const Rows<float>& r) {
-    spread_nodes<Order::first>(w, s, r);
-}
-TT_CLONES void interpolate_velocity(const Stencils<float>& w, const VectorField<float>& u,
-                                    Suspension& s, int begin, int end) {
-    interpolate_nodes<Order::zeroth>(w, u, s, begin, end);
-}
-TT_CLONES void interpolate_rate(const Stencils<float>& w, const VectorField<float>& u,
-                                Suspension& s, int begin, int end) {
-    interpolate_nodes<Order::first>(w, u, s, begin, end);
-}
-
 }  // namespace
 
 template <class Real>
@@ -155,9 +123,9 @@ void spread(Order order, const Stencils<Real>& stencils, const Suspension& cells
     team_barrier();  // all nodes have their stencils and forces
     const Rows<Real> rows = rows_of(force);
     if (order == Order::zeroth)
-        spread_forces(stencils, cells, rows);
+        spread_nodes<Order::zeroth>(stencils, cells, rows);
     else
-        spread_dipoles(stencils, cells, rows);
+        spread_nodes<Order::first>(stencils, cells, rows);
 }
 
 template <class Real>
@@ -175,9 +143,9 @@ void interpolate(Order order, const Stencils<Real>& stencils, const VectorField<
                  Suspension& cells, int cell) {
     const int begin = cells.first[cell], end = cells.first[cell + 1];
     if (order == Order::zeroth)
-        interpolate_velocity(stencils, velocity, cells, begin, end);
+        interpolate_nodes<Order::zeroth>(stencils, velocity, cells, begin, end);
     else
-        interpolate_rate(stencils, velocity, cells, begin, end);
+        interpolate_nodes<Order::first>(stencils, velocity, cells, begin, end);
 }
 
 template void spread(Order, const Stencils<double>&, const Suspension&, VectorField<double>&);

@@ -2,7 +2,7 @@
 
 namespace tt {
 
-// A function that the loader picks by processor cannot be a template: one line per instance.
+// Called from other files: one line per instance.
 TT_CLONES void collide_row(LinearEquilibrium, const RowOfSites<double>& row) {
     collide_row_with<LinearEquilibrium>(row);
 }

@@ -6,7 +6,7 @@ namespace tt {
 namespace {
 
 template <class Real>
-TT_INLINE double sum_side_by_side(const Real* values, int count) {
+TT_CLONES double sum_of(const Real* values, int count) {
     constexpr int lanes = 8;
     double lane[lanes] = {};
     int i = 0;
@@ -18,10 +18,6 @@ TT_INLINE double sum_side_by_side(const Real* values, int count) {
     for (const double part : lane) sum += part;
     return sum;
 }
-
-// A function that the loader picks by processor cannot be a template: one line per Real.
-TT_CLONES double sum_of(const double* values, int count) { return sum_side_by_side(values, count); }
-TT_CLONES double sum_of(const float* values, int count) { return sum_side_by_side(values, count); }
 
 }  // namespace
 

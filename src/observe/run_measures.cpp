@@ -66,7 +66,7 @@ void measure_flow(const Model& model, const State& state, RunMeasures& m) {
 }
 
 template <class Real>
-TT_INLINE double largest_square_of(const Real* x, const Real* y, int count) {
+TT_CLONES double largest_square(const Real* x, const Real* y, int count) {
     double largest = 0.0;
 #pragma omp simd reduction(max : largest)
     for (int i = 0; i < count; ++i) {
@@ -74,14 +74,6 @@ TT_INLINE double largest_square_of(const Real* x, const Real* y, int count) {
         largest = greater(largest, ux * ux + uy * uy);
     }
     return largest;
-}
-
-// A function that the loader picks by processor cannot be a template: one line per Real.
-TT_CLONES double largest_square(const double* x, const double* y, int count) {
-    return largest_square_of(x, y, count);
-}
-TT_CLONES double largest_square(const float* x, const float* y, int count) {
-    return largest_square_of(x, y, count);
 }
 
 template <class Real>

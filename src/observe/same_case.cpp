@@ -27,10 +27,8 @@ Settings parsed(std::string_view lines) {
     return settings;
 }
 
-bool begins(std::string_view key, std::string_view with) { return key.starts_with(with); }
-
 bool may_differ(std::string_view key) {
-    return key == "name" || begins(key, "time.") || begins(key, "output.");
+    return key == "name" || key.starts_with("time.") || key.starts_with("output.");
 }
 
 /// Keys that change how a case is computed, not what it asks for, and that leave a state with which
@@ -55,7 +53,7 @@ bool is_numerics(std::string_view key) {
                                                            "contact.range",
                                                            "contact.short_range_repulsion",
                                                            "contact.repulsion_strength"};
-    if (begins(key, "chosen."))
+    if (key.starts_with("chosen."))
         return key != "chosen.dx" && key != "chosen.relaxation_time" &&
                key != "chosen.node_spacing";
     return std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -76,7 +74,7 @@ std::vector<SettingChange> differences(const Settings& theirs, const Settings& o
     for (const auto& [key, value] : keys) {
         const std::string_view there = value_of(theirs, key), here = value_of(ours, key);
         if (there == here || !wanted(key)) continue;
-        (begins(key, "chosen.") ? chosen : given)
+        (key.starts_with("chosen.") ? chosen : given)
             .push_back({std::string(key), std::string(there), std::string(here)});
     }
     return given.empty() ? chosen : given;

@@ -116,19 +116,11 @@ std::optional<Instability> node_places(const Model& model, const State& state, R
 
 /// How many of a row's sites are not slower than allowed.
 template <class Real>
-TT_INLINE int count_fast_sites(const Real* ux, const Real* uy, int count, Real limit2) {
+TT_CLONES int count_too_fast(const Real* ux, const Real* uy, int count, Real limit2) {
     int faults = 0;
 #pragma omp simd reduction(+ : faults)
     for (int i = 0; i < count; ++i) faults += ux[i] * ux[i] + uy[i] * uy[i] < limit2 ? 0 : 1;
     return faults;
-}
-
-// A function that the loader picks by processor cannot be a template: one line per Real.
-TT_CLONES int count_too_fast(const double* ux, const double* uy, int count, double limit2) {
-    return count_fast_sites(ux, uy, count, limit2);
-}
-TT_CLONES int count_too_fast(const float* ux, const float* uy, int count, float limit2) {
-    return count_fast_sites(ux, uy, count, limit2);
 }
 
 template <class Real>
