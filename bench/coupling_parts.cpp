@@ -101,7 +101,7 @@ void pair_forces(benchmark::State& state) {
     model.law = Morse{1e-3, 0.77, 2.45, true};
     model.range = 12.0;
     ContactState contact;
-    run(state, scene, [&] { add_pair_forces(model, scene.lattice, scene.cells, contact); });
+    run(state, scene, [&] { add_pair_forces(model, scene.lattice, 0, scene.cells, contact); });
     double hits = 0.0;
     for (const CellContacts& c : contact.cells) hits += static_cast<double>(c.hits.count);
     state.counters["pairs"] = hits / scene.cells.node_count();

@@ -35,8 +35,8 @@ struct ViscosityModel {
     double cytoplasm = 1.0 / 6.0;        ///< inside
     double layer_viscosity = 1.0 / 6.0;  ///< of a plain second fluid in 0 ≤ y < layer_thickness
     double layer_thickness = 0.0;
-    double refresh_distance = 0.1;  ///< a cell is laid anew once a node is this far from where it
-                                    ///< was laid, about as far ahead; 0: always
+    double refresh_distance = 0.25;  ///< a cell is laid anew once a node is this far from where it
+                                     ///< was laid, about as far ahead; 0: always
 };
 
 /// One cell's share in the fraction field, now and before the last refresh.

@@ -26,6 +26,7 @@ struct ContactModel {
     double range = 0.0;               ///< query range R
     double repulsion_range = 0.0;     ///< short-range repulsion below this gap; 0: off
     double repulsion_strength = 0.0;  ///< its pressure at zero gap
+    int interval = 1;                 ///< steps from one measurement of the gaps to the next
 
     /// How far apart two membranes can feel each other; 0: nothing to do.
     double reach() const {
@@ -83,9 +84,9 @@ struct CellContacts {
 /// everything would find.
 struct ContactState {
     std::int64_t repulsion_count =
-        0;  ///< node–steps on which the short-range repulsion acted, per partner
-    double smallest_gap =
-        0.0;  ///< between cells, at the last step [sites]; the reach where none is nearer
+        0;  ///< how often the short-range repulsion acted: nodes, partners and measurements
+    double smallest_gap = 0.0;  ///< between cells, as last measured [sites]; the reach where none
+                                ///< is nearer
 
     std::vector<CellContacts> cells;
     std::vector<double> listed_x, listed_y;  ///< node positions when pairs were last listed
@@ -94,18 +95,19 @@ struct ContactState {
     double listed_reach = -1.0;
 };
 
-/// Adds the forces between cells to fx, fy. Every node within reach of another cell's outline feels
-/// the pressure f of its gap r to the nearest point there, along the line between the two; the
-/// partner's two nodes share the opposite by the lever rule, so force and torque balance. Each pair
-/// of membranes is integrated from both sides, nodes of A to segments of B and nodes of B to
-/// segments of A, each with half of f Δs: the mean of two quadratures, the same whichever cell
-/// comes first. α is that of the node's cell. Also the short-range repulsion, between cells and
-/// from walls.
+/// Adds the forces between cells to fx, fy. They are measured at the steps that are multiples of
+/// `interval` and held in between, each on its node: their sum stays zero. Every node within reach
+/// of another cell's outline feels the pressure f of its gap r to the nearest point there, along
+/// the line between the two; the partner's two nodes share the opposite by the lever rule, so force
+/// and torque balance. Each pair of membranes is integrated from both sides, nodes of A to segments
+/// of B and nodes of B to segments of A, each with half of f Δs: the mean of two quadratures, the
+/// same whichever cell comes first. α is that of the node's cell. Also the short-range repulsion,
+/// between cells and from walls.
 ///
 /// A cell's periodic images are other cells, its own included. Sums in a fixed order: same bits for
 /// any team and after any restart. Team function, by cells; waits for hits of all.
-void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspension& cells,
-                     ContactState& contact);
+void add_pair_forces(const ContactModel& model, const Lattice& lattice, std::int64_t step,
+                     Suspension& cells, ContactState& contact);
 
 /// A node of one cell found inside another.
 struct Overlap {

@@ -22,6 +22,11 @@ struct Morse {
         const double plain = 2.0 * decay * energy * (e * e - e);
         return plain > 0.0 ? alpha * plain : plain;
     }
+    /// −df/dr.
+    double stiffness(double gap, double alpha) const {
+        const double e = std::exp(decay * (zero_force_distance - gap));
+        return (e > 1.0 ? alpha : 1.0) * 2.0 * decay * decay * energy * (2.0 * e * e - e);
+    }
     /// The potential whose slope `pressure` is: φ + D_e is scaled where the force is, so that φ
     /// stays continuous.
     double potential(double gap, double alpha) const {

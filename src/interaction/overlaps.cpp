@@ -55,7 +55,7 @@ double smallest_gap(const Lattice& lattice, Suspension cells, double reach) {
     ContactModel search;  // without a force
     search.repulsion_range = reach;
     ContactState contact;
-    add_pair_forces(search, lattice, cells, contact);
+    add_pair_forces(search, lattice, 0, cells, contact);
     return contact.smallest_gap;
 }
 

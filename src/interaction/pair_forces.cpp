@@ -91,11 +91,11 @@ std::pair<int, int> share_of_pairs(const ContactState& contact) {
     return {begin, end};
 }
 
-/// Adds all forces that fall on the cells [begin, end), in the order of the lists.
+/// Adds to the pair forces all that fall on the cells [begin, end), in the order of the lists.
 void add_hits(Suspension& cells, const ContactState& contact, int begin, int end) {
     const auto add = [&](int node, Vec2 force) {
-        cells.fx[node] += force.x;
-        cells.fy[node] += force.y;
+        cells.pair_fx[node] += force.x;
+        cells.pair_fy[node] += force.y;
     };
     for (int c = 0; c < cells.cell_count(); ++c) {
         const bool own = begin <= c && c < end;
@@ -123,7 +123,8 @@ std::int64_t repel_from_walls(const ContactModel& model, const Lattice& lattice,
         const double above = lattice.ny - cells.y[k];
         if (below >= repulsion.range && above >= repulsion.range) continue;
         const double pressure = repulsion.pressure(below) - repulsion.pressure(above);
-        cells.fy[k] += pressure * 2.0 * share_of(cells.x.data(), cells.y.data(), first, last, k);
+        cells.pair_fy[k] +=
+            pressure * 2.0 * share_of(cells.x.data(), cells.y.data(), first, last, k);
         ++count;
     }
     return count;
@@ -138,19 +139,19 @@ void count_up(ContactState& contact) {
     }
 }
 
-}  // namespace
-
-void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspension& cells,
-                     ContactState& contact) {
-    if (!(model.reach() > 0.0)) return;
+/// Sets the pair forces of all cells.
+void measure_pair_forces(const ContactModel& model, const Lattice& lattice, Suspension& cells,
+                         ContactState& contact) {
     const Vec2 drift = update_pairs(model, lattice, cells, contact);
-    // These cells may be another thread's: it has set their membrane forces, update_pairs waited.
+    // These cells may be another thread's: it has set their α, update_pairs waited.
     const auto [first, past] = share_of_pairs(contact);
     for (int c = first; c < past; ++c) {
         CellContacts& mine = contact.cells[c];
+        const int node = cells.first[c], count = cells.node_count(c);
+        std::fill_n(&cells.pair_fx[node], count, 0.0);
+        std::fill_n(&cells.pair_fy[node], count, 0.0);
         find_hits(model, cells, contact, c, drift);
-        measure_hits(cells.x.data(), cells.y.data(), cells.first[c], cells.first[c + 1] - 1,
-                     mine.hits);
+        measure_hits(cells.x.data(), cells.y.data(), node, node + count - 1, mine.hits);
         set_pressures(model, cells.alpha[c], mine);
         if (lattice.walls && model.repulsion_range > 0.0)
             mine.repelled += repel_from_walls(model, lattice, cells, c);
@@ -159,6 +160,22 @@ void add_pair_forces(const ContactModel& model, const Lattice& lattice, Suspensi
     const auto [begin, end] = own_cells(cells);
     add_hits(cells, contact, begin, end);
     if (team_rank() == 0) count_up(contact);
+}
+
+TT_CLONES void add(const double* values, int count, double* sums) {
+#pragma omp simd
+    for (int n = 0; n < count; ++n) sums[n] += values[n];
+}
+
+}  // namespace
+
+void add_pair_forces(const ContactModel& model, const Lattice& lattice, std::int64_t step,
+                     Suspension& cells, ContactState& contact) {
+    if (!(model.reach() > 0.0)) return;
+    if (step % model.interval == 0) measure_pair_forces(model, lattice, cells, contact);
+    const auto [begin, end] = own_nodes(cells);
+    add(cells.pair_fx.data() + begin, end - begin, cells.fx.data() + begin);
+    add(cells.pair_fy.data() + begin, end - begin, cells.fy.data() + begin);
 }
 
 }  // namespace tt

@@ -39,8 +39,8 @@ void add_cell(Suspension& cells, const std::vector<Vec2>& points) {
     }
     TT_EXPECTS(doubled_area > 0.0);
     cells.first.push_back(cells.first.back() + static_cast<std::int32_t>(n));
-    for (auto* zero :
-         {&cells.fx, &cells.fy, &cells.ux, &cells.uy, &cells.ux_sampled, &cells.uy_sampled})
+    for (auto* zero : {&cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux, &cells.uy,
+                       &cells.ux_sampled, &cells.uy_sampled})
         zero->resize(cells.x.size(), 0.0);
     size_derived(cells);
     cells.reference_area.push_back(0.5 * doubled_area);

@@ -19,6 +19,7 @@ struct Suspension {
     // Per node.
     std::vector<double> x, y;                    ///< position
     std::vector<double> fx, fy;                  ///< force on the fluid
+    std::vector<double> pair_fx, pair_fy;  ///< of it, by other cells and walls, as last measured
     std::vector<double> ux, uy;                  ///< velocity of the last step
     std::vector<double> ux_sampled, uy_sampled;  ///< the fluid's, sampled in the last step
     std::vector<double> rest_curvature;          ///< κ₀

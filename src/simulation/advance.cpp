@@ -56,7 +56,7 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     set_membrane_forces(m.membrane, s.cells);  // Eqs. 10–15
     done(Pass::membrane);
 
-    add_pair_forces(m.contact, m.lattice, s.cells, s.contact);  // Eqs. 16–17
+    add_pair_forces(m.contact, m.lattice, s.step, s.cells, s.contact);  // Eqs. 16–17
     done(Pass::contact);
 
     locate(m.delta, m.lattice, s.cells, sites.stencils);  // Eq. 8

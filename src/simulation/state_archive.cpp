@@ -23,6 +23,8 @@ void for_each_array(S& state, Visit&& visit) {
     visit("y", cells.y);
     visit("fx", cells.fx);
     visit("fy", cells.fy);
+    visit("pair_fx", cells.pair_fx);
+    visit("pair_fy", cells.pair_fy);
     visit("ux", cells.ux);
     visit("uy", cells.uy);
     visit("ux_sampled", cells.ux_sampled);
@@ -103,9 +105,10 @@ void expect_cells(const Suspension& cells) {
 void expect_sizes(const State& state) {
     const Suspension& cells = state.cells;
     const auto nodes = static_cast<std::size_t>(cells.node_count());
-    for (const auto* per_node : {&cells.x, &cells.y, &cells.fx, &cells.fy, &cells.ux, &cells.uy,
-                                 &cells.ux_sampled, &cells.uy_sampled, &cells.rest_curvature,
-                                 &cells.rest_length, &state.interior.x, &state.interior.y}) {
+    for (const auto* per_node :
+         {&cells.x, &cells.y, &cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux,
+          &cells.uy, &cells.ux_sampled, &cells.uy_sampled, &cells.rest_curvature,
+          &cells.rest_length, &state.interior.x, &state.interior.y}) {
         if (per_node->size() != nodes) refuse("an array is not of one number per node");
     }
     const auto count = static_cast<std::size_t>(cells.cell_count());

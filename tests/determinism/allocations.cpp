@@ -54,7 +54,7 @@ TEST(Allocations, none_in_the_viscosity_and_contact_passes_once_their_arrays_are
         for (int n = 0; n < 200; ++n) {
             if (n == 100) before = allocations;
             random_cells::jiggle(cells, random, 0.02);
-            add_pair_forces(contact_model, lattice, cells, contact);
+            add_pair_forces(contact_model, lattice, 0, cells, contact);
             lay_cytoplasm(viscosity, cells, interior);
             update_viscosity(viscosity, interior, relaxation);
         }

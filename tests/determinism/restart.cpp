@@ -34,9 +34,12 @@ TEST_F(Restart, two_hundred_steps_are_a_hundred_saved_loaded_and_a_hundred_more)
     for (const Precision precision : {Precision::fp64, Precision::fp32}) {
         Model model = small_model();
         model.precision = precision;
+        model.contact.law = Morse{1e-3, 0.77, 2.45, true};
+        model.contact.range = 9.0;
+        model.contact.interval = 4;  // of which a run may stop in the middle
         State straight = small_state(model);
         advance_by(model, straight, 200);
-        for (const int first : {1, 99, 100}) {  // the odd phase of the populations too
+        for (const int first : {1, 98, 99, 100}) {  // the odd phase of the populations too
             State state = small_state(model);
             advance_by(model, state, first);
             State loaded = saved_and_loaded(model, state, path("state"));
@@ -90,6 +93,8 @@ TEST_F(Restart, every_number_of_a_state_is_hashed_and_comes_back) {
         [&] { ++state.contact.repulsion_count; },
         [&] { change(cells.x[5]); },
         [&] { change(cells.y[5]); },
+        [&] { change(cells.pair_fx[5]); },
+        [&] { change(cells.pair_fy[5]); },
         [&] { change(cells.ux[5]); },
         [&] { change(cells.uy[5]); },
         [&] { change(cells.ux_sampled[5]); },

@@ -16,6 +16,7 @@ std::uint64_t hash_after_steps(bool walls, int threads) {
     model.lattice.walls = walls;
     model.contact.law = Morse{1e-3, 0.77, 2.45, true};
     model.contact.range = 9.0;
+    model.contact.interval = 3;
     model.contact.repulsion_range = 8.5;
     model.contact.repulsion_strength = 1e-5;
     State state = small_state(model);

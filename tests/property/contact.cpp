@@ -77,7 +77,7 @@ TEST(Contact, cells_repel_when_close_and_attract_when_apart) {
     for (const auto& [gap, sign] : {std::pair{1.0, -1.0}, std::pair{4.0, 1.0}}) {
         Suspension cells = two_circles(gap);
         ContactState contact;
-        add_pair_forces(morse_model(), {200, 60, true}, cells, contact);
+        add_pair_forces(morse_model(), {200, 60, true}, 0, cells, contact);
         double on_left = 0.0;
         for (int k = 0; k < cells.first[1]; ++k) on_left += cells.fx[k];
         EXPECT_GT(sign * on_left, 1e-4) << gap;
@@ -96,7 +96,7 @@ TEST(Contact, force_and_torque_balance) {
         model.repulsion_strength = 0.1;
         cells.alpha = {1.0, 2.0, 1.5};
         ContactState contact;
-        add_pair_forces(model, {200, 60, false}, cells, contact);
+        add_pair_forces(model, {200, 60, false}, 0, cells, contact);
         Vec2 force;
         double torque = 0.0, scale = 0.0;
         for (int k = 0; k < cells.node_count(); ++k) {
@@ -139,7 +139,7 @@ TEST(Contact, of_circles_converges_to_the_integral_at_second_order) {
         model.range =
             40.0;  // the cut at R is a jump: with it in reach the order would be lost in its noise
         ContactState contact;
-        add_pair_forces(model, {200, 60, true}, cells, contact);
+        add_pair_forces(model, {200, 60, true}, 0, cells, contact);
         double force = 0.0;
         for (int k = 0; k < nodes; ++k) force += cells.fx[k];
         error[level] = std::abs(force - exact) / std::abs(exact);
@@ -157,7 +157,7 @@ TEST(Contact, of_flat_parallel_membranes_is_the_pressure_times_the_length) {
     add_cell(cells, box(5.0));
     add_cell(cells, box(25.0 + 3.0));
     ContactState contact;
-    add_pair_forces(morse_model(), {200, 60, true}, cells, contact);
+    add_pair_forces(morse_model(), {200, 60, true}, 0, cells, contact);
     int checked = 0;
     for (int k = 0; k < cells.node_count(); ++k) {
         const Vec2 p = cells.position(k);
@@ -178,8 +178,8 @@ TEST(Contact, reaches_across_the_periodic_end_whatever_the_period) {
     for (int k = across.first[1]; k < across.node_count(); ++k) across.x[k] += 300.0;
     for (double& x : across.x) x -= 28.0;  // the gap lies at the end of the box
     ContactState contact_plain, contact_across;
-    add_pair_forces(morse_model(), lattice, plain, contact_plain);
-    add_pair_forces(morse_model(), lattice, across, contact_across);
+    add_pair_forces(morse_model(), lattice, 0, plain, contact_plain);
+    add_pair_forces(morse_model(), lattice, 0, across, contact_across);
     ASSERT_GT(largest_force(plain), 1e-3);
     for (int k = 0; k < plain.node_count(); ++k)
         EXPECT_LT(norm(plain.force(k) - across.force(k)), 1e-11);
@@ -189,7 +189,7 @@ TEST(Contact, a_cell_meets_its_own_image) {
     Suspension cells;
     add_cell(cells, placed(circle(8.0, 60), 0.0, {5.0, 20.0}));
     ContactState contact;
-    add_pair_forces(morse_model(), {18, 40, true}, cells, contact);  // 2 sites to the image
+    add_pair_forces(morse_model(), {18, 40, true}, 0, cells, contact);  // 2 sites to the image
     EXPECT_NEAR(contact.smallest_gap, 2.0, 1e-9);
     EXPECT_GT(largest_force(cells), 1e-3);
 }
@@ -243,6 +243,29 @@ Suspension by_brute_force(const ContactModel& model, const Lattice& lattice, Sus
     return cells;
 }
 
+/// Held forces stay on their nodes while these move, so that their sum stays zero.
+TEST(Contact, forces_are_measured_every_interval_and_held_between) {
+    const Lattice lattice{66, 44, true};
+    ContactModel model = morse_model();
+    model.interval = 4;
+    Suspension cells = random_cells::suspension(2, 3, 2, 22.0, 7.0, 30);
+    Random random(2);
+    ContactState contact;
+    Suspension measured;
+    for (int step = 0; step < 9; ++step) {
+        clear(cells);
+        if (step % 4 == 0) {
+            measured = cells;
+            ContactState fresh;
+            add_pair_forces(morse_model(), lattice, 0, measured, fresh);
+            ASSERT_GT(largest_force(measured), 1e-4);
+        }
+        add_pair_forces(model, lattice, step, cells, contact);
+        expect_same_forces(cells, measured);
+        random_cells::jiggle(cells, random, 0.03);
+    }
+}
+
 TEST(Contact, search_equals_brute_force_on_random_suspensions) {
     const Lattice lattice{66, 44, true};
     for (const std::uint64_t seed : {1, 2, 3}) {
@@ -253,7 +276,7 @@ TEST(Contact, search_equals_brute_force_on_random_suspensions) {
             ContactState contact;
             for (int n = 0; n < 4; ++n) {
                 clear(cells);
-                add_pair_forces(model, lattice, cells, contact);
+                add_pair_forces(model, lattice, 0, cells, contact);
                 ASSERT_TRUE(find_overlaps(lattice, cells).empty());
                 const Suspension expected = by_brute_force(model, lattice, cells);
                 ASSERT_GT(largest_force(expected), 1e-4);
@@ -280,8 +303,8 @@ TEST(Contact, forces_have_the_same_bits_for_any_team_and_any_age_of_the_lists) {
             ContactState fresh;
             clear(cells);
             clear(fresh_cells);
-            with_team(threads, [&] { add_pair_forces(model, lattice, cells, kept); });
-            add_pair_forces(model, lattice, fresh_cells, fresh);
+            with_team(threads, [&] { add_pair_forces(model, lattice, 0, cells, kept); });
+            add_pair_forces(model, lattice, 0, fresh_cells, fresh);
             expect_same_forces(cells, fresh_cells);
             EXPECT_EQ(kept.smallest_gap, fresh.smallest_gap);
             repulsions += fresh.repulsion_count;
@@ -297,7 +320,7 @@ TEST(Contact, a_node_inside_another_cell_is_pushed_out) {
     const Lattice lattice{200, 60, true};
     ContactState contact;
     ContactModel model = morse_model();
-    add_pair_forces(model, lattice, cells, contact);
+    add_pair_forces(model, lattice, 0, cells, contact);
     EXPECT_LT(contact.smallest_gap, -0.4);
     for (const Overlap& o : find_overlaps(lattice, cells)) {
         const double away = o.cell == 0 ? -1.0 : 1.0;
@@ -309,17 +332,17 @@ TEST(Repulsion, is_off_by_default_and_counted_when_it_acts) {
     const Lattice lattice{200, 60, true};
     Suspension cells = two_circles(0.5);
     ContactState contact;
-    add_pair_forces(morse_model(), lattice, cells, contact);
+    add_pair_forces(morse_model(), lattice, 0, cells, contact);
     EXPECT_EQ(contact.repulsion_count, 0);
     ContactModel model;  // no law but the repulsion
     model.repulsion_range = 1.0;
     model.repulsion_strength = 0.2;
     clear(cells);
-    add_pair_forces(model, lattice, cells, contact);
+    add_pair_forces(model, lattice, 0, cells, contact);
     const std::int64_t once = contact.repulsion_count;
     EXPECT_GT(once, 0);
     EXPECT_LT(once, 20);
-    add_pair_forces(model, lattice, cells, contact);
+    add_pair_forces(model, lattice, 0, cells, contact);
     EXPECT_EQ(contact.repulsion_count, 2 * once);
     EXPECT_GT(largest_force(cells), 0.0);
 }
@@ -331,12 +354,12 @@ TEST(Repulsion, keeps_nodes_off_the_walls) {
     model.repulsion_range = 1.0;
     model.repulsion_strength = 0.2;
     ContactState contact;
-    add_pair_forces(model, {40, 30, true}, cells, contact);
+    add_pair_forces(model, {40, 30, true}, 0, cells, contact);
     const double ds = 2.0 * 8.0 * std::sin(std::numbers::pi / 60);
     EXPECT_NEAR(cells.fy[45], 0.2 * 0.6 * 0.6 * ds, 1e-9);  // the lowest node, 0.4 from the wall
     EXPECT_GT(contact.repulsion_count, 0);
     clear(cells);
-    add_pair_forces(model, {40, 30, false}, cells, contact);
+    add_pair_forces(model, {40, 30, false}, 0, cells, contact);
     EXPECT_EQ(largest_force(cells), 0.0);
 }
 
@@ -521,12 +544,12 @@ TEST(Contact, survives_positions_that_are_not_finite) {
     for (const double bad : {std::nan(""), HUGE_VAL, 1e300, -1e12}) {
         Suspension cells = two_circles(1.0);
         ContactState contact;
-        add_pair_forces(morse_model(), {200, 60, true}, cells, contact);
+        add_pair_forces(morse_model(), {200, 60, true}, 0, cells, contact);
         cells.x[3] = bad;
-        add_pair_forces(morse_model(), {200, 60, true}, cells, contact);
+        add_pair_forces(morse_model(), {200, 60, true}, 0, cells, contact);
         cells.y[70] = bad;
         contact.listed_reach = -1.0;
-        add_pair_forces(morse_model(), {200, 60, true}, cells, contact);
+        add_pair_forces(morse_model(), {200, 60, true}, 0, cells, contact);
         find_overlaps({200, 60, true}, cells);
     }
 }

@@ -97,6 +97,7 @@ TEST(TimeStepChanges, are_one_factor_where_there_is_no_advection) {
             }
         }
         EXPECT_EQ(changed.cells.ux_sampled[7], 0.3 * state.cells.ux_sampled[7]);
+        EXPECT_EQ(changed.cells.pair_fx[7], 0.3 * state.cells.pair_fx[7]);
         EXPECT_EQ(changed.cells.x, state.cells.x);
     }
 }
