@@ -193,6 +193,10 @@ double Choice::expected_change() const {
     return change;
 }
 
+double node_spacing(const Case& c) {
+    return c.numerics.node_spacing.value_or(c.membrane.law == SurfaceTension::name ? 1.0 : 1.5);
+}
+
 void expect_sites(const Case& c, const Choice& choice, double most, const std::string& why) {
     const double sites = static_cast<double>(choice.nx) * choice.ny, dx = choice.dx.si;
     if (sites <= most) return;
@@ -233,7 +237,7 @@ Choice choose(const Case& c) {
     choice.precision = choose_precision(c);
     choice.jump_correction = choose_jump_correction(c);
     choose_step(c, choose_flow(c, choice), choice);
-    choice.node_spacing = c.numerics.node_spacing.value_or(1.0);
+    choice.node_spacing = node_spacing(c);
     choice.area_stiffness = choose_area_stiffness(c, choice);
     return choice;
 }

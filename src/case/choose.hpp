@@ -40,6 +40,10 @@ struct Choice {
     double expected_change() const;
 };
 
+/// Length of a membrane's segments in sites: as the case says, else 1.5; 1 on a drop, whose nodes
+/// nothing holds apart.
+double node_spacing(const Case& c);
+
 /// Throws CaseError, with what to write, if the grid has more than `most` sites; `why` ends "at
 /// most … ".
 void expect_sites(const Case& c, const Choice& choice, double most, const std::string& why);

@@ -50,7 +50,7 @@ std::vector<Vec2> resampled(const CellOutline& outline, double nodes) {
 
 /// The stress-free outline about the origin, in sites, with nodes at the spacing the case asks for.
 std::vector<Vec2> stress_free_shape(const Case& c, double dx) {
-    const double spacing = c.numerics.node_spacing.value_or(1.0) * dx;
+    const double spacing = node_spacing(c) * dx;
     const double radius = c.cells.radius.si;
     const auto nodes = [&](double perimeter) {
         return std::max(8, static_cast<int>(std::ceil(perimeter / spacing - 0.01)));
