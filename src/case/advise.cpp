@@ -10,6 +10,7 @@
 
 #include "base/units.hpp"
 #include "case/contact_at_start.hpp"
+#include "case/membrane_of.hpp"
 #include "case/plausibility.hpp"
 #include "membrane/outline_checks.hpp"
 
@@ -114,17 +115,16 @@ void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& 
     // 2π √(E_b/E_s): four segments to it (docs/decisions/0011-checks.md).
     constexpr double shortest = 2.0 / std::numbers::pi;
     const bool moves =
-        choice.shear_rate.si > 0.0 && !std::holds_alternative<SurfaceTension>(c.membrane.law);
+        choice.shear_rate.si > 0.0 && !is_drop(c.membrane);
     if (moves && a.bending_length > 0.0 && a.bending_length < shortest)
         adviser.consider(
             "The bending length sqrt(E_b/E_s) is {:.2g} sites: a membrane that the flow compresses "
             "buckles below the grid and crumples. Write dx = \"{}\".",
             a.bending_length, spacing_text(c, choice.dx.si * a.bending_length / shortest));
-    if (a.node_distance < 0.35 || a.node_distance > 1.5)
+    if (a.node_distance < 0.35 || a.node_distance > 1.55)
         adviser.consider(
-            "Nodes {:.2g} sites apart; between 0.35 and 1.5 the result does not depend on it. "
-            "Write "
-            "node_spacing = 1.",
+            "Nodes {:.2g} sites apart; between 0.35 and 1.5 the result hardly depends on it. Leave "
+            "node_spacing out.",
             a.node_distance);
     if (std::holds_alternative<SharpInterface>(c.numerics.interface_viscosity) &&
         a.viscosity_ratio > 1.5)

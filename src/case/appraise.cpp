@@ -100,7 +100,7 @@ void bound(const Choice& choice, const Model& model, Appraisal& a) {
     a.bounds.push_back({"membrane tension",
                         tension_step_number(tension_slope(membrane, stretch), viscosity,
                                             choice.relaxation_time, 1.0, 1.0),
-                        tension_step_limit,
+                        membrane.mobility > 0.0 ? implicit_tension_step_limit : tension_step_limit,
                         (late ? "(tau-1/2) T' dt/(mu dx) at " : "T' dt/(mu dx) at stretch ") +
                             fmt::format("{:.3g}", stretch)});
     const double lesser = std::min(model.viscosity.plasma, model.viscosity.cytoplasm);

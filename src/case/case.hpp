@@ -256,6 +256,7 @@ struct NumericsCase {
     InterfaceViscosity interface_viscosity = AreaFraction{};
     ViscosityMean viscosity_mean = HarmonicMean{};  ///< of a site that holds both fluids
     std::optional<bool> jump_correction;  ///< of slip and node velocity at membranes, second order
+    bool implicit_tension = true;         ///< nodes move with what their move makes of tension
     bool fluid_only = false;              ///< cells absent: plain channel
 
     friend bool operator==(const NumericsCase&, const NumericsCase&) = default;

@@ -194,7 +194,7 @@ double Choice::expected_change() const {
 }
 
 double node_spacing(const Case& c) {
-    return c.numerics.node_spacing.value_or(c.membrane.law == SurfaceTension::name ? 1.0 : 1.5);
+    return c.numerics.node_spacing.value_or(is_drop(c.membrane) ? 1.0 : 1.5);
 }
 
 void expect_sites(const Case& c, const Choice& choice, double most, const std::string& why) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/membrane_of.hpp"
+#include "membrane/implicit_tension.hpp"
 
 namespace tt {
 namespace {
@@ -76,6 +77,8 @@ Model discretise(const Case& c, const Choice& choice) {
     m.viscosity = viscosity_of(c, choice, m.scales);
     if (choice.jump_correction) m.jump = jump_correction(m.delta, m.viscosity);
     m.membrane = membrane_of(c.membrane, m.scales);
+    if (tension_is_implicit(c))
+        m.membrane.mobility = tension_mobility(0.5 * (m.viscosity.plasma + m.viscosity.cytoplasm));
     m.membrane.area_stiffness = m.scales.to_lattice(choice.area_stiffness);
     m.contact = contact_of(c, m.scales);
     m.contact.interval =

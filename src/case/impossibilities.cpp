@@ -46,7 +46,7 @@ bool judge_outline(Judge& judge, const Case& c) {
 
 void judge_membrane(Judge& judge, const MembraneCase& membrane) {
     std::vector<Modality> hardened = membrane.hardening.apply_to;
-    if (std::holds_alternative<SurfaceTension>(membrane.law) &&
+    if (is_drop(membrane) &&
         std::erase(hardened, Modality::shear) > 0)
         judge.tell({"membrane.law"},
                    fmt::format("a drop of constant surface tension does not harden: in "

@@ -34,4 +34,10 @@ Membrane membrane_of(const MembraneCase& m, const Scales& scales) {
     return membrane;
 }
 
+bool is_drop(const MembraneCase& m) { return std::holds_alternative<SurfaceTension>(m.law); }
+
+bool tension_is_implicit(const Case& c) {
+    return c.numerics.implicit_tension && !is_drop(c.membrane);
+}
+
 }  // namespace tt

@@ -13,4 +13,11 @@ Hardening hardening_of(const HardeningCase& h);
 /// stiffness is left to who chooses it.
 Membrane membrane_of(const MembraneCase& m, const Scales& scales);
 
+/// Whether the cells are drops: nothing holds their nodes apart.
+bool is_drop(const MembraneCase& m);
+
+/// Whether nodes move with what their move makes of the tension: where the case wants it, and not
+/// on a drop, whose tension does not depend on stretch.
+bool tension_is_implicit(const Case& c);
+
 }  // namespace tt

@@ -82,6 +82,9 @@ struct FieldList<NumericsCase> {
                    any_value,
                    {},
                    "true"},
+        FieldEntry{"implicit_tension", &T::implicit_tension,
+                   "nodes move with what their own move makes of the tension, which allows longer "
+                   "steps"},
         FieldEntry{"fluid_only", &T::fluid_only, "leave the cells out: the plain channel"},
     };
 };

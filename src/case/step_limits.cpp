@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/units.hpp"
+#include "case/membrane_of.hpp"
 #include "membrane/stability.hpp"
 
 namespace tt {
@@ -87,12 +88,15 @@ public:
     void add_tension(const Membrane& membrane, double stretch) {
         const double slope = tension_slope(membrane, stretch);
         const double mean = 0.5 * (viscosity() + case_.cells.cytoplasm_viscosity.si);
-        const double number = tension_step_number(slope, mean, 1.5, 1.0, dx_);
-        const double late = auto_late_tension_step_number / half_step_;
-        add("membrane tension", std::min(auto_tension_step_number, late) / number,
-            fmt::format("T' dt / (mu dx) <= {:.3g}, and {} over tau - 1/2: stability; T' at "
+        const bool implicit = tension_is_implicit(case_);
+        const double most = implicit ? auto_implicit_tension_step_number : auto_tension_step_number;
+        const double late =
+            implicit ? auto_implicit_tension_step_number : auto_late_tension_step_number;
+        add("membrane tension",
+            std::min(most, late / half_step_) / tension_step_number(slope, mean, 1.5, 1.0, dx_),
+            fmt::format("T' dt / (mu dx) <= {:.3g}, and {} over tau - 1/2: stability{}; T' at "
                         "stretch {:.3g} is {} times that at rest",
-                        auto_tension_step_number, auto_late_tension_step_number, stretch,
+                        most, late, implicit ? ", tension implicit" : "", stretch,
                         rounded_text(slope / tension_slope(membrane, 1.0), Dimension{}, 3)));
     }
 

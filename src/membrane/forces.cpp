@@ -8,6 +8,7 @@
 
 #include "base/exp.hpp"
 #include "base/isa.hpp"
+#include "base/lesser.hpp"
 
 // Each cell in turn is laid out in a few arrays, small enough for the nearest cache, with its last
 // node once more before the first and its first once more behind the last, as a lattice has its
@@ -25,7 +26,7 @@ struct Ring {
     double *x, *y;
     double *rest_length, *rest_curvature;
     double *edge_x, *edge_y;  ///< from the node to its successor
-    double *length, *stretch, *alpha, *tension, *moment;
+    double *length, *stretch, *alpha, *alpha_slope, *tension, *stiffness, *moment;
     double *load_x, *load_y;  ///< stress resultant
 
     int padded() const { return (count + lanes - 1) / lanes * lanes; }
@@ -37,15 +38,15 @@ struct Ring {
 
 /// Lays a cell out in `room`, which grows if it must.
 Ring lay_out(const Suspension& cells, int cell, std::vector<double>& room) {
-    constexpr int arrays = 13;
+    constexpr int arrays = 15;
     const int first = cells.first[cell], count = cells.node_count(cell);
     const int pitch = (count / lanes + 1) * lanes + lanes;  // a halo on either side
     const auto size = static_cast<std::size_t>(arrays * pitch);
     if (room.size() < size) room.resize(size, 1.0);
     double* rest = room.data() + lanes;
     const auto next = [&] { return std::exchange(rest, rest + pitch); };
-    const Ring ring{count,  next(), next(), next(), next(), next(), next(),
-                    next(), next(), next(), next(), next(), next(), next()};
+    const Ring ring{count,  next(), next(), next(), next(), next(), next(), next(),
+                    next(), next(), next(), next(), next(), next(), next(), next()};
     std::copy_n(&cells.x[first], count, ring.x);
     std::copy_n(&cells.y[first], count, ring.y);
     std::copy_n(&cells.rest_length[first], count, ring.rest_length);
@@ -69,6 +70,7 @@ TT_CLONES void measure(const Ring& ring) {
     }
 }
 
+/// α and its slope.
 TT_CLONES void harden_exponentially(const Ring& ring, double D, double beta, double fold,
                                     double floor) {
     const Ring m = ring;
@@ -78,12 +80,14 @@ TT_CLONES void harden_exponentially(const Ring& ring, double D, double beta, dou
         const double extension = m.stretch[k] - 1.0;
         const double folded = fold * extension;
         const double compressed = folded > floor ? folded : floor;
-        m.alpha[k] =
-            1.0 + D * (vector_exp(beta * (extension < 0.0 ? compressed : extension)) - 1.0);
+        const double e = vector_exp(beta * (extension < 0.0 ? compressed : extension));
+        const double inner = folded > floor ? fold : 0.0;
+        m.alpha[k] = 1.0 + D * (e - 1.0);
+        m.alpha_slope[k] = (extension < 0.0 ? inner : 1.0) * (D * beta * e);
     }
 }
 
-/// α(λ) of all segments (Eq. 12).
+/// α(λ) of all segments (Eq. 12), and dα/dλ.
 void harden(const Hardening& hardening, const Ring& m) {
     using Compression = Hardening::Compression;
     if (hardening.form == Hardening::Form::exponential) {
@@ -91,18 +95,25 @@ void harden(const Hardening& hardening, const Ring& m) {
         const double floor = hardening.compression == Compression::as_printed ? -1.0 : 0.0;
         harden_exponentially(m, hardening.D, hardening.beta, fold, floor);
     } else {
-        for (int k = 0; k < m.count; ++k) m.alpha[k] = hardening(m.stretch[k]);
+        for (int k = 0; k < m.count; ++k) {
+            m.alpha[k] = hardening(m.stretch[k]);
+            m.alpha_slope[k] = hardening.slope(m.stretch[k]);
+        }
     }
 }
 
-/// T(λ) α (Eqs. 10, 12) of all segments.
+/// T(λ) α (Eqs. 10, 12) of all segments, and by how much it grows with their length.
 template <class Law>
 TT_CLONES void pull(const Law& law, bool hardened, const Ring& ring) {
     const Ring m = ring;
     const int end = m.padded();
 #pragma omp simd
-    for (int k = 0; k < end; ++k)
-        m.tension[k] = law.tension(m.stretch[k]) * (hardened ? m.alpha[k] : 1.0);
+    for (int k = 0; k < end; ++k) {
+        const double plain = law.tension(m.stretch[k]), slope = law.slope(m.stretch[k]);
+        const double hard = slope * m.alpha[k] + plain * m.alpha_slope[k];
+        m.tension[k] = hardened ? plain * m.alpha[k] : plain;
+        m.stiffness[k] = greater(0.0, hardened ? hard : slope) / m.rest_length[k];
+    }
 }
 
 /// m = E_b (κ − κ₀) α (Eq. 13) at each node, between two segments; turning angle by 2 tan(θ/2).
@@ -189,6 +200,7 @@ void set_membrane_forces(const Membrane& membrane, Suspension& cells) {
         load_segments(ring);
         for (double* array : {ring.load_x, ring.load_y}) ring.close(array);
         const int first = cells.first[c];
+        std::copy_n(ring.stiffness, ring.count, &cells.stiffness[first]);
         load_nodes(ring, area_pressure(membrane, cells, c), &cells.fx[first], &cells.fy[first]);
     }
 }

@@ -14,9 +14,11 @@ struct Membrane {
     Hardening hardening;
     double area_stiffness = 0.0;  ///< k_p
     bool hold_area = false;       ///< membrane/area.hpp
+    double mobility = 0.0;        ///< m of membrane/implicit_tension.hpp; 0: tension is explicit
 };
 
-/// Sets fx, fy to the membrane forces of Eqs. 10–15, and area, perimeter and alpha of each cell.
+/// Sets fx, fy to the membrane forces of Eqs. 10–15, the stiffness of each segment, and area,
+/// perimeter and alpha of each cell.
 /// Team function, by cells.
 void set_membrane_forces(const Membrane& membrane, Suspension& cells);
 

@@ -30,6 +30,18 @@ struct Hardening {
         if (form == Form::exponential) return 1.0 + D * std::expm1(beta * (s - 1.0));
         return 1.0 + D * (std::exp(std::pow(s, beta)) - std::exp(1.0));
     }
+
+    /// dα/dλ.
+    double slope(double stretch) const {
+        const bool compressed = stretch < 1.0;
+        if (form == Form::none || (compressed && compression == Compression::one)) return 0.0;
+        const bool folded = compressed && compression == Compression::symmetric;
+        const double s = folded ? 2.0 - stretch : stretch;
+        const double power = std::pow(s, beta);
+        return (folded ? -1.0 : 1.0) * D * beta *
+               (form == Form::exponential ? std::exp(beta * (s - 1.0))
+                                          : power / s * std::exp(power));
+    }
 };
 
 template <>

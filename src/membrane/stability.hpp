@@ -38,6 +38,9 @@ constexpr double tension_step_number(double slope, double viscosity, double rela
 }
 inline constexpr double tension_step_limit = 1.2;
 
+/// The same number with implicit tension (docs/theory/implicit-tension.md).
+inline constexpr double implicit_tension_step_limit = 3.5;
+
 /// Bending: the same wiggle relaxes at E_b/(μ h³), μ of the thinner fluid. A cell in a channel
 /// (radius 5.4 sites, E_b = 1e-15 J) ran at 1.5 at viscosity ratios 0.25, 1, 5, 20 and 100, at 1.9
 /// at ratio 1, and blew up at 2.4 at ratio 5.

@@ -16,7 +16,8 @@ double turning(Vec2 before, Vec2 after) {
 }  // namespace
 
 void size_derived(Suspension& cells) {
-    for (auto* zero : {&cells.dipole_xx, &cells.dipole_xy, &cells.rate_xx, &cells.rate_xy})
+    for (auto* zero :
+         {&cells.dipole_xx, &cells.dipole_xy, &cells.rate_xx, &cells.rate_xy, &cells.stiffness})
         zero->resize(cells.x.size(), 0.0);
 }
 

@@ -17,10 +17,10 @@ struct Suspension {
     std::vector<std::int32_t> first{0};  ///< nodes of cell c are first[c] … first[c+1]
 
     // Per node.
-    std::vector<double> x, y;                    ///< position
-    std::vector<double> fx, fy;                  ///< force on the fluid
+    std::vector<double> x, y;              ///< position
+    std::vector<double> fx, fy;            ///< force on the fluid
     std::vector<double> pair_fx, pair_fy;  ///< of it, by other cells and walls, as last measured
-    std::vector<double> ux, uy;                  ///< velocity of the last step
+    std::vector<double> ux, uy;            ///< velocity of the last step
     std::vector<double> ux_sampled, uy_sampled;  ///< the fluid's, sampled in the last step
     std::vector<double> rest_curvature;          ///< κ₀
     std::vector<double> dipole_xx,
@@ -29,6 +29,7 @@ struct Suspension {
 
     // Per segment, indexed by its first node.
     std::vector<double> rest_length;  ///< l₀
+    std::vector<double> stiffness;    ///< d(T α)/dλ/l₀ of the last step, at least 0; derived
 
     // Per cell.
     std::vector<double> reference_area;       ///< A_ref

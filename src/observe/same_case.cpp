@@ -34,11 +34,12 @@ bool may_differ(std::string_view key) {
 /// Keys that change how a case is computed, not what it asks for, and that leave a state with which
 /// to go on. What the program chose by them goes with them.
 bool is_numerics(std::string_view key) {
-    static constexpr std::array<std::string_view, 19> keys{"numerics.dt",
+    static constexpr std::array<std::string_view, 20> keys{"numerics.dt",
                                                            "numerics.density_scale",
                                                            "numerics.relaxation_time",
                                                            "numerics.step_tolerance",
                                                            "numerics.jump_correction",
+                                                           "numerics.implicit_tension",
                                                            "numerics.delta",
                                                            "numerics.collision",
                                                            "numerics.magic",

@@ -4,6 +4,7 @@
 #include "base/parallel.hpp"
 #include "fluid/collide_stream.hpp"
 #include "membrane/area.hpp"
+#include "membrane/implicit_tension.hpp"
 #include "simulation/drive.hpp"
 
 namespace tt {
@@ -87,6 +88,7 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
         interpolate(order, sites.stencils, velocity, s.cells, cell);  // Eq. 7
         correct_velocities(m.jump, s.cells, cell);
         average_in_time(s.cells, cell, first_step);
+        if (m.membrane.mobility > 0.0) answer_with_tension(m.membrane.mobility, s.cells, cell);
         if (m.membrane.hold_area) hold_area(s.cells, cell);
         move_nodes(s.cells, cell);
     }

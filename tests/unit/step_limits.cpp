@@ -146,6 +146,19 @@ TEST(Choice, of_the_relaxation_time_does_not_depend_on_a_step_or_density_scale_t
     EXPECT_DOUBLE_EQ(scale.density_scale, 10.0);
 }
 
+/// Gaps are measured less often than nodes move, where contact is soft enough.
+TEST(Discretise, measures_contact_every_four_steps_unless_it_is_stiff) {
+    const auto interval = [](const std::vector<std::string>& changes) {
+        return discretise(read_case(TT_SOURCE_DIR "/cases/05-channel/case.toml", changes))
+            .contact.interval;
+    };
+    EXPECT_EQ(interval({}), 4);
+    EXPECT_EQ(interval({"flow.pseudo_shear_rate=50 /s"}), 4);
+    EXPECT_EQ(interval({"contact.energy=0 J/m^2"}), 4);
+    EXPECT_EQ(interval({"contact.energy=1.3e-4 J/m^2"}), 1);
+    EXPECT_EQ(interval({"contact.short_range_repulsion=true"}), 1);
+}
+
 TEST(StepLimits, a_tighter_tolerance_gives_a_smaller_step_and_a_looser_one_stays_stable) {
     for (const char* name : {"03-cell-in-shear", "05-channel"}) {
         double before = 0.0;

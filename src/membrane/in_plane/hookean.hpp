@@ -13,6 +13,7 @@ struct Hookean {
     double shear_modulus = 0.0;  ///< E_s
 
     TT_INLINE double tension(double stretch) const { return 3.0 * shear_modulus * (stretch - 1.0); }
+    TT_INLINE double slope(double /*stretch*/) const { return 3.0 * shear_modulus; }
     double energy(double stretch) const {
         return 1.5 * shear_modulus * (stretch - 1.0) * (stretch - 1.0);
     }

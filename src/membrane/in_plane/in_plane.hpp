@@ -9,7 +9,8 @@
 
 namespace tt {
 
-/// The in-plane laws. A new law is one header with `tension(λ)` and `energy(λ)` plus its name here.
+/// The in-plane laws. A new law is one header with `tension(λ)`, its `slope(λ)` and
+/// `energy(λ)` plus its name here.
 using InPlane = std::variant<NeoHookean, Hookean, Skalak, SurfaceTension>;
 
 }  // namespace tt

@@ -18,6 +18,10 @@ struct NeoHookean {
         const double root = std::sqrt(stretch);
         return shear_modulus * (stretch * root - 1.0 / (stretch * root));
     }
+    TT_INLINE double slope(double stretch) const {
+        const double root = std::sqrt(stretch);
+        return 1.5 * shear_modulus * (root + 1.0 / (stretch * stretch * root));
+    }
     double energy(double stretch) const {
         return shear_modulus * (0.4 * std::pow(stretch, 2.5) + 2.0 / std::sqrt(stretch) - 2.4);
     }

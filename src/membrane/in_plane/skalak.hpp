@@ -21,6 +21,9 @@ struct Skalak {
     TT_INLINE double tension(double stretch) const {
         return shear_modulus * (1.0 + area_dilation_ratio) * stretch * (stretch * stretch - 1.0);
     }
+    TT_INLINE double slope(double stretch) const {
+        return shear_modulus * (1.0 + area_dilation_ratio) * (3.0 * stretch * stretch - 1.0);
+    }
     double energy(double stretch) const {
         const double dilation = stretch * stretch - 1.0;
         return 0.25 * shear_modulus * (1.0 + area_dilation_ratio) * dilation * dilation;

@@ -17,6 +17,7 @@ struct SurfaceTension {
     double shear_modulus = 0.0;  ///< γ, in the place of E_s: G (Eq. 19) is the capillary number
 
     TT_INLINE double tension(double /*stretch*/) const { return shear_modulus; }
+    TT_INLINE double slope(double /*stretch*/) const { return 0.0; }
     double energy(double stretch) const { return shear_modulus * (stretch - 1.0); }
     friend bool operator==(const SurfaceTension&, const SurfaceTension&) = default;
 };
