@@ -13,11 +13,10 @@
 #include "case/channel_flow.hpp"
 #include "case/contact_at_start.hpp"
 #include "case/fit.hpp"
-#include "case/contact_at_start.hpp"
 #include "case/judge.hpp"
+#include "case/membrane_of.hpp"
 #include "case/step_limits.hpp"
 #include "case/value_text.hpp"
-#include "membrane/in_plane/surface_tension.hpp"
 
 namespace tt {
 namespace {

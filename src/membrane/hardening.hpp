@@ -34,7 +34,7 @@ struct Hardening {
     /// dα/dλ.
     double slope(double stretch) const {
         const bool compressed = stretch < 1.0;
-        if (form == Form::none || (compressed && compression == Compression::one)) return 0.0;
+        if (D == 0.0 || (compressed && compression == Compression::one)) return 0.0;
         const bool folded = compressed && compression == Compression::symmetric;
         const double s = folded ? 2.0 - stretch : stretch;
         const double power = std::pow(s, beta);

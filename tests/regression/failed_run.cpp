@@ -42,6 +42,7 @@ area_stiffness = "9.51 kPa"
 [numerics]
 dx = "0.5 um"
 jump_correction = true
+implicit_tension = false
 relaxation_time = 1.5
 [time]
 end = "1 ms"

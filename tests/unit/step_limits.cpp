@@ -191,6 +191,7 @@ TEST(StepLimits, of_equilibria_that_feel_inertia_where_it_should_not_be_are_tigh
 }
 
 const std::vector<std::string> hardened{"numerics.dx=0.4 um",
+                                        "numerics.implicit_tension=false",
                                         "flow.shear_number=0.05",
                                         "cells.cytoplasm_viscosity=1.2 cP",
                                         "membrane.hardening.apply_to=shear,bending,area,contact",
