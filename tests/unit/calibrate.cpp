@@ -105,7 +105,9 @@ TEST_F(Calibrate, a_pair_that_blows_up_is_told_and_left_out) {
     const auto replace = [&](const std::string& from, const std::string& to) {
         text.replace(text.find(from), from.size(), to);
     };
-    replace("\"time.end", "\"numerics.dt=8 us\", \"numerics.implicit_tension=false\", \"cells.cytoplasm_viscosity=1.2 cP\", \"time.end");
+    replace("\"time.end",
+            "\"numerics.dt=8 us\", \"numerics.implicit_tension=false\", "
+            "\"numerics.node_spacing=1\", \"cells.cytoplasm_viscosity=1.2 cP\", \"time.end");
     replace("D = [0.1, 2]", "D = [0.001, 2]");
     const Outcome outcome =
         run({"calibrate", write("t.toml", text), "-o", path("out").string(), "-j", "2"});
