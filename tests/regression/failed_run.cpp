@@ -43,6 +43,7 @@ area_stiffness = "9.51 kPa"
 dx = "0.5 um"
 jump_correction = true
 implicit_tension = false
+node_spacing = 1
 relaxation_time = 1.5
 [time]
 end = "1 ms"
@@ -81,7 +82,7 @@ TEST_F(FailedRun, ends_with_3_and_tells_once_what_where_and_what_to_write) {
     const std::size_t at = outcome.err.find("unstable at step");
     ASSERT_NE(at, std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.err.find("unstable at step", at + 1), std::string::npos) << outcome.err;
-    for (const char* word : {"cell 0, node ", "at x = ", "cause:", "write: --set membrane."})
+    for (const char* word : {"where: ", "at x = ", "cause:", "write: --set membrane."})
         EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find(results() + "/failure"), std::string::npos) << outcome.err;
     EXPECT_LE(longest_line_without_path(outcome.err).size(), 80u);
