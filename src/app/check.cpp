@@ -17,6 +17,7 @@
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
 #include "io/json.hpp"
+#include "observe/progress.hpp"
 
 namespace tt {
 namespace {
@@ -43,13 +44,6 @@ std::string bytes_text(double bytes) {
 /// "170", not "1.7e+02".
 std::string plain(double number, int digits = 2) {
     return rounded_text(number, Dimension{}, digits);
-}
-
-std::string duration_text(double seconds) {
-    if (seconds < 100.0) return plain(seconds) + " s";
-    if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
-    if (seconds < 48.0 * 3600.0) return fmt::format("{:.1f} h", seconds / 3600.0);
-    return fmt::format("{:.1f} days", seconds / 86400.0);
 }
 
 /// Lines of "label  text", the text wrapped within 79 columns.
@@ -197,6 +191,10 @@ void print_limits(const Choice& choice, const Appraisal& a) {
                    b.margin() > 1000.0 ? ">1000" : fmt::format("{:.1f}", b.margin()), b.definition);
 }
 
+double seconds_to_finish(const Appraisal& a, const Probe& p) {
+    return static_cast<double>(a.steps) / p.steps_per_second;
+}
+
 void print_cost(const Appraisal& a, const Probe& p, const ThreadChoice& threads) {
     fmt::print("\n");
     print_line("threads", fmt::format("{}, {}", threads.threads, threads.reason));
@@ -205,12 +203,11 @@ void print_cost(const Appraisal& a, const Probe& p, const ThreadChoice& threads)
                                    bytes_text(static_cast<double>(a.frame_bytes))));
     if (p.steps_per_second == 0.0 || p.unstable_step > 0) return;
     print_line("memory", bytes_text(p.memory_bytes));
-    print_line(
-        "time to finish",
-        fmt::format("{} on {} thread{}: {} steps/s, {:.0f} million site updates/s",
-                    duration_text(static_cast<double>(a.steps) / p.steps_per_second), p.threads,
-                    p.threads == 1 ? "" : "s", with_spaces(std::llround(p.steps_per_second)),
-                    1e-6 * p.steps_per_second * static_cast<double>(a.sites)));
+    print_line("time to finish",
+               fmt::format("{} on {} thread{}: {} steps/s, {:.0f} million site updates/s",
+                           duration_text(seconds_to_finish(a, p)), p.threads,
+                           p.threads == 1 ? "" : "s", with_spaces(std::llround(p.steps_per_second)),
+                           1e-6 * p.steps_per_second * static_cast<double>(a.sites)));
 }
 
 void print_verdict(const Appraisal& a) {
@@ -224,6 +221,17 @@ void print_verdict(const Appraisal& a) {
                                   : "Ready to run; consider what is marked with *.");
 }
 
+void advise_on_try(const Probe& p, const Choice& choice, Appraisal& a) {
+    if (p.unstable_step > 0)
+        a.advice.push_back(
+            {Advice::Weight::refuse,
+             fmt::format("A node moved by half a site at step {} of a short try: write "
+                         "dt = \"{}\" in [numerics].",
+                         p.unstable_step, rounded_text(Time{0.25 * choice.dt.si}, 2))});
+    else if (p.steps_per_second > 0.0 && takes_long(seconds_to_finish(a, p)))
+        a.advice.push_back({Advice::Weight::consider, remark_on_length(seconds_to_finish(a, p))});
+}
+
 int check(const CheckOptions& options) {
     const Case c = read_given_case(options.given).c;
     const Choice choice = choose(c);
@@ -234,12 +242,7 @@ int check(const CheckOptions& options) {
     State initial = initial_state(c, model, layout_progress(ProgressMode::automatic));
     Appraisal a = appraise(c, choice, model, initial);
     const Probe p = a.refused() ? Probe{} : probe(model, std::move(initial));
-    if (p.unstable_step > 0)
-        a.advice.push_back(
-            {Advice::Weight::refuse,
-             fmt::format("A node moved by half a site at step {} of a short try: write "
-                         "dt = \"{}\" in [numerics].",
-                         p.unstable_step, rounded_text(Time{0.25 * choice.dt.si}, 2))});
+    advise_on_try(p, choice, a);
     if (options.json) {
         fmt::print("{}\n", to_json(c, choice, a, p).dump(2));
     } else {

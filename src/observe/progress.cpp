@@ -1,5 +1,4 @@
 #include "observe/progress.hpp"
-#include "base/tell.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "base/tell.hpp"
+#include "base/units.hpp"
 #include "io/json.hpp"
 
 namespace tt {
@@ -33,6 +34,22 @@ std::string clock_text(double seconds) {
     if (total >= 3600)
         return fmt::format("{}:{:02}:{:02}", total / 3600, total % 3600 / 60, total % 60);
     return fmt::format("{}:{:02}", total / 60, total % 60);
+}
+
+std::string duration_text(double seconds) {
+    if (seconds < 100.0) return rounded_text(seconds, Dimension{}, 2) + " s";
+    if (seconds < 6000.0) return fmt::format("{:.0f} min", seconds / 60.0);
+    if (seconds < 48.0 * 3600.0) return fmt::format("{:.1f} h", seconds / 3600.0);
+    return fmt::format("{:.1f} days", seconds / 86400.0);
+}
+
+bool takes_long(double seconds) { return std::isfinite(seconds) && seconds >= 3600.0; }
+
+std::string remark_on_length(double seconds) {
+    return fmt::format(
+        "About {} to the end at the speed measured. If that is too long, write a larger dx, a "
+        "larger step_tolerance or an earlier end; a run that is stopped goes on later.",
+        duration_text(seconds));
 }
 
 std::string progress_line(const Standing& s) {

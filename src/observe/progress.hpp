@@ -19,6 +19,14 @@ std::string progress_json(const Standing& standing);
 /// 3:12, 2:03:12 or 4 d; ? if it is not known.
 std::string clock_text(double seconds);
 
+/// 12 s, 31 min, 4.2 h or 3.1 days.
+std::string duration_text(double seconds);
+
+/// An hour and more.
+bool takes_long(double seconds);
+/// How long a run takes, and what to write where that is too long.
+std::string remark_on_length(double seconds);
+
 /// Shows how a run goes, on stderr.
 class Progress {
 public:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -73,6 +74,7 @@ private:
     Observers observers_;
     std::optional<Health> health_;
     StepTimes step_times_;
+    bool length_told_ = false;
     Duty status_duty_, progress_duty_, checkpoint_duty_, time_limit_;
 };
 
@@ -208,6 +210,7 @@ void CaseRun::attend_to_duties() {
         progress_duty_.done();
     }
     if (status_duty_.due()) {
+        if (!std::exchange(length_told_, true)) record_.tell_length(state_);
         record_.show_status(state_, checkpoints_.saved_step());
         status_duty_.done();
     }

@@ -98,6 +98,11 @@ void RunRecord::show_progress(const State& state, std::int64_t checkpoint_step) 
     progress_.show(standing(state, checkpoint_step));
 }
 
+void RunRecord::tell_length(const State& state) {
+    const double left = static_cast<double>(steps_ - state.step) / pace_->mean_rate(state.step);
+    if (takes_long(left)) say(remark_on_length(left));
+}
+
 SummaryInput RunRecord::summary_input(const State& state, const StepTimes& step_times) const {
     SummaryInput input;
     input.window = {request_.average_from, Time{static_cast<double>(steps_) * model_.scales.time}};

@@ -44,6 +44,9 @@ public:
     void show_status(const State& state, std::int64_t checkpoint_step);
     void show_progress(const State& state, std::int64_t checkpoint_step);
 
+    /// Says once, at the speed of this session so far, how long a run takes that takes hours.
+    void tell_length(const State& state);
+
     /// What `summarise` needs of a run that is at its end.
     SummaryInput summary_input(const State& state, const StepTimes& step_times) const;
 

@@ -117,5 +117,20 @@ TEST_F(Messages, numbers_far_from_those_of_the_field_are_told) {
         EXPECT_NE(told(slip).find("Unusual: "), std::string::npos) << slip.front();
 }
 
+TEST_F(Messages, hours_are_told_before_and_at_the_start_of_a_run) {
+    const std::string shear = TT_SOURCE_DIR "/cases/03-cell-in-shear/case.toml";
+    const auto with_end = [&](std::vector<std::string> words, const std::string& end) {
+        words.insert(words.end(), {shear, "-j", "1", "--set", "time.end=" + end});
+        return run(words);
+    };
+    const std::string remark = "to the end at the speed measured";
+    EXPECT_EQ(with_end({"check"}, "40 ms").out.find(remark), std::string::npos);
+    EXPECT_NE(with_end({"check"}, "1000 s").out.find(remark), std::string::npos);
+    const Outcome outcome =
+        with_end({"run", "--max-time", "3s", "-o", path("long").string()}, "1000 s");
+    EXPECT_EQ(outcome.code, 75);
+    EXPECT_NE(outcome.err.find(remark), std::string::npos) << outcome.err;
+}
+
 }  // namespace
 }  // namespace tt

@@ -51,6 +51,16 @@ TEST(ProgressLine, fits_eighty_columns_up_to_ten_million_steps_a_second) {
     }
 }
 
+TEST(RemarkOnLength, hours_and_days_are_told_in_words) {
+    EXPECT_FALSE(takes_long(3599.0));
+    EXPECT_TRUE(takes_long(3600.0));
+    EXPECT_FALSE(takes_long(std::numeric_limits<double>::infinity()));
+    EXPECT_EQ(remark_on_length(111'600.0).substr(0, 21), "About 31.0 h to the e");
+    EXPECT_EQ(duration_text(12.3), "12 s");
+    EXPECT_EQ(duration_text(300.0), "5 min");
+    EXPECT_EQ(duration_text(1e6), "11.6 days");
+}
+
 TEST(ProgressLine, is_valid_json_even_before_the_first_step) {
     Standing s = standing();
     s.seconds_left = std::numeric_limits<double>::infinity();
