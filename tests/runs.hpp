@@ -69,12 +69,10 @@ inline void expect_same_results(const fs::path& a, const fs::path& b) {
 
 /// Stops after the first checkpoints, so that current and previous exist.
 inline void stop_midway(RunRequest request) {
-    request.max_time = Time{0.0};
-    run_small(request);
-    request.max_time = Time{0.03};
-    ASSERT_EQ(run_small(request).ending, RunOutcome::Ending::stopped);
-    request.max_time = Time{0.02};
-    ASSERT_EQ(run_small(request).ending, RunOutcome::Ending::stopped);
+    for (const double part : {0.2, 0.45}) {
+        request.until = Time{part * request.end.si};
+        ASSERT_EQ(run_small(request).ending, RunOutcome::Ending::stopped);
+    }
 }
 
 }  // namespace tt

@@ -64,9 +64,6 @@ void add_threads_option(CLI::App& verb, int& threads) {
         ->type_name(value_kind::count);
 }
 
-namespace {
-
-/// About as many as the case will have: the cells' perimeter is taken for a circle's.
 std::int64_t expected_nodes(const Case& c, const Choice& choice) {
     if (c.numerics.fluid_only) return 0;
     const double radius = equivalent_radius(c).si, dx = choice.dx.si;
@@ -79,8 +76,6 @@ std::int64_t expected_nodes(const Case& c, const Choice& choice) {
                              : static_cast<double>(count);
     return std::llround(cells * 2.0 * std::numbers::pi * radius / (choice.node_spacing * dx));
 }
-
-}  // namespace
 
 ThreadChoice choose_threads(int asked, const Case& c, const Choice& choice) {
     if (asked > 0) return {asked, "as given"};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,6 +50,10 @@ struct ThreadChoice {
     int threads = 1;
     std::string reason;
 };
+
+/// About as many membrane nodes as the case will have, before its cells are placed: their perimeter
+/// is taken for a circle's.
+std::int64_t expected_nodes(const Case& c, const Choice& choice);
 
 /// `asked`; 0: of the usable processors as many as the case gives work to, judged before its cells
 /// are placed.

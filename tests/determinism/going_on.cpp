@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "io/csv.hpp"
+#include "observe/provenance.hpp"
 #include "observe/status.hpp"
 #include "runs.hpp"
 
@@ -117,6 +118,10 @@ TEST_F(GoingOn, another_cadence_and_another_name_hold_from_there_on) {
     EXPECT_EQ(step[101], 1050);
     EXPECT_EQ(FramesReader(path("run") / "frames.h5").count(), 81);
     EXPECT_EQ(FramesReader(path("run") / "frames.h5").header().name, "longer");
+    EXPECT_EQ(run_small(request).ending, RunOutcome::Ending::was_done);
+    request.settings += "output.fields = \"never\"\n";  // of a finished run, no step to go
+    EXPECT_EQ(run_small(request).ending, RunOutcome::Ending::done);
+    EXPECT_EQ(recorded_settings(path("run")), request.settings);
     EXPECT_EQ(run_small(request).ending, RunOutcome::Ending::was_done);
 }
 

@@ -5,10 +5,15 @@
 #include <cmath>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "app/case_options.hpp"
 #include "base/control_groups.hpp"
 #include "base/memory.hpp"
+#include "case/discretise.hpp"
+#include "case/initial_state.hpp"
+#include "case/read.hpp"
 #include "temporary_directory.hpp"
 
 namespace tt {
@@ -92,6 +97,30 @@ TEST(ThreadsFor, small_steps_are_not_shared_and_large_ones_are) {
     EXPECT_EQ(threads_for(40'000, 1512, 1), 1);
     EXPECT_EQ(threads_for(100, 0, 64), 1);
     EXPECT_EQ(threads_for(4'000'000'000, 0, 64), 64);
+}
+
+/// However the cells are asked for: by their number, their share, or one by one.
+TEST(ThreadsFor, every_layout_counts) {
+    const auto nodes = [](const std::string& cells) {
+        const Case c = parse_case(
+            "format = 1\ndomain = { length = \"60 um\", width = \"20 um\" }\n"
+            "flow = { drive = \"pressure\", pseudo_shear_rate = \"200 /s\" }\n"
+            "numerics = { dx = \"0.4 um\" }\ntime = { end = \"1 ms\" }\n"
+            "cells = { radius = \"2.7 um\", " +
+                cells + " }\n",
+            "x.toml", {}, ".");
+        const Choice choice = choose(c);
+        const auto expected = static_cast<double>(expected_nodes(c, choice));
+        const State state = initial_state(c, discretise(c, choice));
+        EXPECT_NEAR(expected, state.cells.node_count(), 0.02 * expected) << cells;
+        return expected;
+    };
+    std::string places;
+    for (int k = 0; k < 8; ++k) places += fmt::format("[\"{} um\", \"10 um\"], ", 4.0 + 7.0 * k);
+    const double by_count = nodes("layout = \"random\", count = 8");
+    EXPECT_GT(by_count, 300.0);
+    EXPECT_EQ(nodes("layout = \"explicit\", positions = [" + places + "]"), by_count);
+    EXPECT_NEAR(nodes("layout = \"random\", hematocrit = 0.1527"), by_count, 0.01 * by_count);
 }
 
 }  // namespace
