@@ -231,7 +231,7 @@ Length fitting_spacing(const Case& c, Length most) {
 Choice choose(const Case& c) {
     Choice choice;
     choose_grid(c, choice);
-    expect_sites(c, choice, 1e9, "are possible");
+    expect_sites(c, choice, most_sites, "are possible");
     choice.equilibrium = choose_equilibrium(c);
     choice.delta = choose_delta(c);
     choice.precision = choose_precision(c);

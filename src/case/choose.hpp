@@ -44,6 +44,9 @@ struct Choice {
 /// nothing holds apart.
 double node_spacing(const Case& c);
 
+/// Of a grid, at most.
+inline constexpr double most_sites = 1e9;
+
 /// Throws CaseError, with what to write, if the grid has more than `most` sites; `why` ends "at
 /// most … ".
 void expect_sites(const Case& c, const Choice& choice, double most, const std::string& why);

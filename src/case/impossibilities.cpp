@@ -11,6 +11,7 @@
 
 #include "base/units.hpp"
 #include "case/channel_flow.hpp"
+#include "case/choose.hpp"
 #include "case/contact_at_start.hpp"
 #include "case/fit.hpp"
 #include "case/judge.hpp"
@@ -167,6 +168,19 @@ std::string fitting_spacing(const Case& c, double dx) {
                    : "change the length of the box";
 }
 
+/// What to write where there are too many sites: a coarser grid, about `wanted` and of a million
+/// sites where that resolves the box and its cells, else a shorter box.
+std::string fewer_sites(const Case& c, double wanted) {
+    const double width = c.domain.width.si, length = c.domain.length.si;
+    const double dx = std::clamp(std::sqrt(width * length / 1e6), wanted, 1.4 * wanted);
+    if (width * length / (dx * dx) < most_sites) return fitting_spacing(c, dx);
+    constexpr double fewest = 100.0;  // along the side that is made shorter
+    const double sites =
+        std::max(std::floor(0.1 * most_sites / (std::min(width, length) / dx)), fewest);
+    return fmt::format("write {} = \"{}\"", width > length ? "width" : "length",
+                       rounded_text(Length{sites * dx}, 9));
+}
+
 void judge_grid(Judge& judge, const Case& c) {
     if (!c.numerics.dx) return;
     const double dx = c.numerics.dx->si;
@@ -180,12 +194,11 @@ void judge_grid(Judge& judge, const Case& c) {
                 "dx = {} leaves {:.1f} sites across the width, {}; at least 6 are needed; {}",
                 to_text(*c.numerics.dx), width / dx, to_text(c.domain.width),
                 fitting_spacing(c, wanted)));
-    if (length / dx * (width / dx) > 1e9)
-        return judge.tell(
-            {"numerics.dx"},
-            fmt::format("dx = {} makes {:.3g} sites; at most 1e9 are possible; {}",
-                        to_text(*c.numerics.dx), length / dx * (width / dx),
-                        fitting_spacing(c, std::max(wanted, std::sqrt(width * length / 1e6)))));
+    if (length / dx * (width / dx) > most_sites)
+        return judge.tell({"numerics.dx"},
+                          fmt::format("dx = {} makes {:.3g} sites; at most {:.0g} are possible; {}",
+                                      to_text(*c.numerics.dx), length / dx * (width / dx),
+                                      most_sites, fewer_sites(c, wanted)));
     if (cells && c.cells.radius.si / dx < 4.0)
         return judge.tell(
             {"numerics.dx"},

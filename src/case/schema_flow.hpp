@@ -21,7 +21,12 @@ struct FieldList<DomainCase> {
                    box_size,
                    {},
                    "80 um"},
-        FieldEntry{"width", &T::width, "from wall to wall, across the flow", box_size, {}, "20 um"},
+        FieldEntry{"width",
+                   &T::width,
+                   "from wall to wall, across the flow",
+                   Range{1e-7, 1e-2},
+                   {},
+                   "20 um"},
         FieldEntry{"sides", &T::sides, "what bounds the box across the flow"},
     };
 };
