@@ -196,9 +196,9 @@ void judge_grid(Judge& judge, const Case& c) {
                 fitting_spacing(c, wanted)));
     if (length / dx * (width / dx) > most_sites)
         return judge.tell({"numerics.dx"},
-                          fmt::format("dx = {} makes {:.3g} sites; at most {:.0g} are possible; {}",
+                          fmt::format("dx = {} makes {:.3g} sites; at most {} are possible; {}",
                                       to_text(*c.numerics.dx), length / dx * (width / dx),
-                                      most_sites, fewer_sites(c, wanted)));
+                                      to_text(most_sites), fewer_sites(c, wanted)));
     if (cells && c.cells.radius.si / dx < 4.0)
         return judge.tell(
             {"numerics.dx"},

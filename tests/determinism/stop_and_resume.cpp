@@ -199,11 +199,6 @@ TEST_F(StopAndResume, a_full_disk_destroys_nothing_and_the_run_goes_on_with_more
     expect_same_results(path("straight"), path("full"));
 }
 
-/// People delete checkpoint/, the largest part of what is finished.
-/// 1007 steps: rows and frames are due at 1000, and the last look is one more; the window of the
-/// averages moves with the end.
-/// The last look is the one thing that a loaded state cannot give again.
-/// Killed in its very first writes.
 /// The archive with the first element of a section, of eight bytes each, made another or taken out.
 template <class T>
 void forge(const fs::path& path, const std::string& section, std::optional<T> value) {
@@ -227,8 +222,8 @@ void forge(const fs::path& path, const std::string& section, std::optional<T> va
     replace_file(path, bytes, Durability::process);
 }
 
-/// What the observers remember is looked at before anything is done by it.
-TEST_F(StopAndResume, a_checkpoint_with_forged_surroundings_is_passed_over) {
+/// What a checkpoint holds is looked at before anything is done by it.
+TEST_F(StopAndResume, a_checkpoint_with_forged_numbers_is_passed_over) {
     const RunRequest request = small_request(path("forged"), steps);
     stop_midway(request);
     const fs::path current = path("forged") / "checkpoint/current";
@@ -249,6 +244,9 @@ TEST_F(StopAndResume, a_checkpoint_with_forged_surroundings_is_passed_over) {
         [&] { forge<double>(current, "frames.time", std::nullopt); },
         [&] { forge<Whole>(current, "frames.step", std::nullopt); },
         [&] { forge<Whole>(current, "frames.step", -4); },
+        // The state itself, which is examined as after every hundred steps.
+        [&] { forge<double>(current, "populations.3", nan); },
+        [&] { forge<double>(current, "populations.1", 7.0); },
     };
     for (std::size_t k = 0; k < forgeries.size(); ++k) {
         fs::remove_all(path("forged"));

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -82,6 +83,29 @@ TEST_F(Files, a_pipe_is_read_up_to_the_same_bound) {
     much.join();
     std::signal(SIGPIPE, former);
     EXPECT_NE(refusal(path("pipe"), Author::program).find("pipe"), std::string::npos);
+}
+
+/// As on a disk that fills up in the middle of it.
+TEST_F(Files, an_append_that_fails_leaves_nothing_of_itself) {
+    write("table", "12345\n");
+    OutputFile file(path("table"), OutputFile::Mode::append);
+    const auto former = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limit{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &limit), 0);
+    const rlimit small{10, limit.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    std::string told;
+    try {
+        file.append("6789 and more\n");
+    } catch (const IoError& error) {
+        told = error.what();
+    }
+    setrlimit(RLIMIT_FSIZE, &limit);
+    std::signal(SIGXFSZ, former);
+    EXPECT_NE(told.find("table"), std::string::npos) << told;
+    EXPECT_EQ(read_file(path("table")), "12345\n");
+    file.append("6789\n");
+    EXPECT_EQ(read_file(path("table")), "12345\n6789\n");
 }
 
 TEST_F(Files, json_nested_without_end_is_refused) {
