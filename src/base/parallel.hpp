@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -51,7 +53,8 @@ public:
     }
 
 private:
-    static constexpr int patience = 300'000;  ///< looks before sleep: about a tenth of a millisecond
+    static constexpr int patience =
+        300'000;  ///< looks before sleep: about a tenth of a millisecond
 
     int size_;
     alignas(64) std::atomic<int> arrived_{0};
@@ -81,22 +84,36 @@ void on_one_thread(F&& f) {
     team_barrier();
 }
 
+/// Says once that the system has not given as many threads as were asked for.
+void tell_fewer_threads(int started, int asked);
+
 /// Runs `f` on every thread of a new team of `threads`, the calling one among them. `f` must not
-/// throw.
+/// throw. Where the system gives no more threads (limits of processes or of memory) the team is of
+/// those that there are: results do not depend on how many.
 template <class F>
 void with_team(int threads, F&& f) {
     if (threads <= 1) {
         f();
         return;
     }
-    Team team(threads);
+    std::optional<Team> team;
+    std::atomic<Team*> complete{nullptr};  // once all are there that come
     const auto work = [&](int rank) {
-        Team::mine() = {&team, rank};
+        complete.wait(nullptr, std::memory_order_acquire);
+        Team::mine() = {complete.load(std::memory_order_acquire), rank};
         f();
         Team::mine() = {};
     };
     std::vector<std::jthread> others;
-    for (int rank = 1; rank < threads; ++rank) others.emplace_back(work, rank);
+    others.reserve(static_cast<std::size_t>(threads) - 1);
+    try {
+        for (int rank = 1; rank < threads; ++rank) others.emplace_back(work, rank);
+    } catch (const std::system_error&) {
+        tell_fewer_threads(static_cast<int>(others.size()) + 1, threads);
+    }
+    team.emplace(static_cast<int>(others.size()) + 1);
+    complete.store(&*team, std::memory_order_seq_cst);
+    complete.notify_all();
     work(0);
 }
 

@@ -134,8 +134,10 @@ void OutputFile::append(std::string_view text) {
     const std::int64_t before = size();
     try {
         write(text.data(), text.size());
-    } catch (const IoError&) {
-        if (::ftruncate(descriptor_, before) != 0) fail("undo a partial write of");
+    } catch (const IoError& error) {
+        if (::ftruncate(descriptor_, before) != 0)
+            throw IoError(fmt::format("{}; what was written of it cannot be undone: {}",
+                                      error.what(), std::strerror(errno)));
         throw;
     }
 }
@@ -146,8 +148,11 @@ void OutputFile::sync() {
 
 void OutputFile::cut(std::int64_t size) {
     if (size > this->size()) {
-        throw IoError(fmt::format("'{}' is shorter ({} bytes) than the checkpoint says ({} bytes)",
-                                  path_.string(), this->size(), size));
+        throw IoError(
+            fmt::format("'{}' is shorter ({} bytes) than the checkpoint says ({} bytes): "
+                        "rows are lost; begin anew with --fresh, which keeps what is "
+                        "there beside",
+                        path_.string(), this->size(), size));
     }
     if (::ftruncate(descriptor_, size) != 0) fail("truncate");
 }

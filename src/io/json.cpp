@@ -26,4 +26,29 @@ Json read_json(const std::filesystem::path& path) {
     return value;
 }
 
+Json read_object(const std::filesystem::path& path) {
+    try {
+        Json object = read_json(path);
+        if (object.is_object()) return object;
+    } catch (const IoError&) {
+    }
+    return Json::object();
+}
+
+double number_of(const Json& object, const char* key, double otherwise) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_number() ? found->get<double>() : otherwise;
+}
+
+std::int64_t whole_number_of(const Json& object, const char* key, std::int64_t otherwise) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_number_integer() ? found->get<std::int64_t>()
+                                                               : otherwise;
+}
+
+std::string text_of(const Json& object, const char* key, const std::string& otherwise) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : otherwise;
+}
+
 }  // namespace tt

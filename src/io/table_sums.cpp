@@ -16,14 +16,7 @@ namespace fs = std::filesystem;
 fs::path sums_of(const fs::path& directory) { return directory / "checksums.json"; }
 
 /// A file that is damaged itself says nothing, and is written anew.
-Json read_sums(const fs::path& directory) {
-    try {
-        Json sums = read_json(sums_of(directory));
-        if (sums.is_object()) return sums;
-    } catch (const IoError&) {
-    }
-    return Json::object();
-}
+Json read_sums(const fs::path& directory) { return read_object(sums_of(directory)); }
 
 }  // namespace
 
@@ -48,6 +41,7 @@ std::string table_fault(const fs::path& directory, const std::string& name) {
     if (!sum->is_object() || !sum->contains("bytes") || !(*sum)["bytes"].is_number_unsigned() ||
         !sum->contains("crc32") || !(*sum)["crc32"].is_number_unsigned())
         return sums_of(directory).string() + " is damaged";
+    if (!fs::exists(path)) return path + " is gone";
     const std::string text = read_file(path);
     const auto bytes = (*sum)["bytes"].get<std::uint64_t>();
     if (text.size() < bytes)

@@ -141,7 +141,7 @@ std::optional<RunOutcome> CaseRun::open(const std::function<State()>& initial) {
                        ? std::optional(changed_after_failure())
                        : checkpoints_.newest(tell, [this](ArchiveReader& found) { load(found); });
     const std::int64_t step =
-        archive ? state_.step : recorded_status(results_.path()).value("step", std::int64_t{-1});
+        archive ? state_.step : whole_number_of(recorded_status(results_.path()), "step", -1);
     if (step == steps_ && is_finished(results_.path(), request_)) {
         std::vector<RunCheck> checks = read_checks(results_.path());
         if (archive) return outcome(RunOutcome::Ending::was_done, std::move(checks));

@@ -18,11 +18,6 @@ using Verdict = RunCheck::Verdict;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<const char*, 3> verdict_names{"ok", "warning", "failed"};
 
-double number_or_nan(const Json& object, const char* key) {
-    const auto found = object.find(key);
-    return found != object.end() && found->is_number() ? found->get<double>() : none;
-}
-
 }  // namespace
 
 std::vector<RunCheck> checks_from(const Json& list) {
@@ -30,33 +25,26 @@ std::vector<RunCheck> checks_from(const Json& list) {
     if (!list.is_array()) return checks;
     for (const Json& json : list) {
         if (!json.is_object()) continue;
-        const auto text = [&](const char* key) {
-            const auto found = json.find(key);
-            return found != json.end() && found->is_string() ? found->get<std::string>() : "";
-        };
+        const auto text = [&](const char* key) { return text_of(json, key); };
         const auto verdict = std::find(verdict_names.begin(), verdict_names.end(), text("verdict"));
         if (verdict == verdict_names.end()) continue;
         checks.push_back({text("name"), static_cast<Verdict>(verdict - verdict_names.begin()),
-                          number_or_nan(json, "value"), number_or_nan(json, "limit"), text("unit"),
-                          text("sentence")});
+                          number_of(json, "value", none), number_of(json, "limit", none),
+                          text("unit"), text("sentence")});
     }
     return checks;
 }
 
 std::vector<RunCheck> read_checks(const fs::path& results) {
-    if (fs::exists(results / "summary.json")) {
-        const Json summary = read_json(results / "summary.json");
-        if (const auto found = summary.find("checks"); found != summary.end())
-            return checks_from(*found);
-    }
+    const Json summary = read_object(results / "summary.json");
+    if (const auto found = summary.find("checks"); found != summary.end())
+        return checks_from(*found);
     if (!fs::exists(results / "series.csv")) return {};
     const Table series = read_csv(results / "series.csv");
     CheckInput input;
     input.finished = false;
-    if (fs::exists(results / "status.json")) {
-        const double dx = number_or_nan(read_json(results / "status.json"), "dx");
-        if (std::isfinite(dx)) input.dx = Length{dx};
-    }
+    const double dx = number_of(read_object(results / "status.json"), "dx", none);
+    if (std::isfinite(dx)) input.dx = Length{dx};
     if (series.rows() == 0) return {};
     std::vector<RunCheck> checks = judge(series, input);
     if (has_failed(results))

@@ -47,14 +47,8 @@ std::string processor_name() {
 }
 
 Json read_provenance(const std::filesystem::path& results) {
-    const std::filesystem::path path = results / "PROVENANCE.json";
-    if (!std::filesystem::exists(path)) return Json::object();
-    try {
-        Json known = read_json(path);
-        if (known.is_object() && known.value("sessions", Json::array()).is_array()) return known;
-    } catch (const IoError&) {
-    }
-    return Json::object();
+    Json known = read_object(results / "PROVENANCE.json");
+    return known.value("sessions", Json::array()).is_array() ? known : Json::object();
 }
 
 std::optional<std::string> recorded_settings(const std::filesystem::path& results) {

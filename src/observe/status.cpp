@@ -47,13 +47,12 @@ void write_status(const std::filesystem::path& results, const Standing& s,
     write_json(results / "status.json", status, Durability::process);
 }
 
+bool has_summary(const std::filesystem::path& results) {
+    return !read_object(results / "summary.json").empty();
+}
+
 Json recorded_status(const std::filesystem::path& results) {
-    try {
-        Json status = read_json(results / "status.json");
-        if (status.is_object()) return status;
-    } catch (const IoError&) {
-    }
-    return Json::object();
+    return read_object(results / "status.json");
 }
 
 Json read_status(const std::filesystem::path& results) {
@@ -64,46 +63,37 @@ Json read_status(const std::filesystem::path& results) {
                       ": holds no results (no status.json); give a directory that `tanktread run` "
                       "wrote");
     Json status = read_json(results / "status.json");
-    const std::string phase = status.value("status", std::string());
-    const bool done = phase == "done" && std::filesystem::exists(results / "summary.json");
+    if (!status.is_object())
+        throw IoError(fmt::format("'{}' is damaged", (results / "status.json").string()));
+    const std::string phase = text_of(status, "status");
+    const bool done = phase == "done" && has_summary(results);
     if (phase == "running" || (phase == "done" && !done))
         status["status"] = is_running(results) ? "running" : "interrupted";
     const auto has = [&](const char* name) {
         return std::filesystem::exists(results / "checkpoint" / name);
     };
-    if (status.value("checkpoint_step", std::int64_t{-1}) >= 0 && !has("current") &&
-        !has("previous"))
+    if (whole_number_of(status, "checkpoint_step", -1) >= 0 && !has("current") && !has("previous"))
         status["checkpoint_gone"] = true;
     return status;
 }
 
-namespace {
-
-/// A number of the status; JSON has no infinity and writes null for it.
-double number(const Json& status, const char* key, double otherwise) {
-    const auto found = status.find(key);
-    return found != status.end() && found->is_number() ? found->get<double>() : otherwise;
-}
-
-}  // namespace
-
 std::string describe_status(const Json& status) {
     Standing s;
-    s.step = status.value("step", s.step);
-    s.steps = status.value("steps", s.steps);
-    s.time = number(status, "time", s.time);
-    s.end = number(status, "end", s.end);
-    s.steps_per_second = number(status, "steps_per_second", s.steps_per_second);
-    s.mlups = number(status, "mlups", s.mlups);
-    s.cells = status.value("cells", s.cells);
-    s.lambda_C = number(status, "lambda_C", s.lambda_C);
-    s.seconds_left = number(status, "seconds_left", std::numeric_limits<double>::infinity());
-    const std::string phase = status.value("status", "unknown");
+    s.step = whole_number_of(status, "step", s.step);
+    s.steps = whole_number_of(status, "steps", s.steps);
+    s.time = number_of(status, "time", s.time);
+    s.end = number_of(status, "end", s.end);
+    s.steps_per_second = number_of(status, "steps_per_second", s.steps_per_second);
+    s.mlups = number_of(status, "mlups", s.mlups);
+    s.cells = static_cast<int>(whole_number_of(status, "cells", s.cells));
+    s.lambda_C = number_of(status, "lambda_C", s.lambda_C);
+    s.seconds_left = number_of(status, "seconds_left", std::numeric_limits<double>::infinity());
+    const std::string phase = text_of(status, "status", "unknown");
     std::string text =
-        fmt::format("{}: {}\n{}\n", status.value("name", "?"), phase, progress_line(s));
+        fmt::format("{}: {}\n{}\n", text_of(status, "name", "?"), phase, progress_line(s));
     if (phase == "interrupted" || phase == "stopped") {
-        const auto step = status.value("checkpoint_step", std::int64_t{-1});
-        if (status.value("checkpoint_gone", false))
+        const auto step = whole_number_of(status, "checkpoint_step", -1);
+        if (status.contains("checkpoint_gone"))
             return text + "its checkpoint is gone: it cannot go on, but report and export work\n";
         text += step > 0 ? fmt::format("run again to resume from step {}\n", step)
                          : "run again; it begins at step 0\n";

@@ -12,6 +12,9 @@ namespace tt {
 void write_status(const std::filesystem::path& results, const Standing& standing,
                   const std::string& phase);
 
+/// Is summary.json there, and sound? It is the last file of a run.
+bool has_summary(const std::filesystem::path& results);
+
 /// What status.json says, as it stands; an empty object if there is none or it is damaged.
 Json recorded_status(const std::filesystem::path& results);
 

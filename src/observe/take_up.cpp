@@ -59,7 +59,7 @@ void expect_nothing_to_lose(const std::filesystem::path& results, const RunReque
         expect_same_case(request.directory, *theirs, request.settings);
     const bool lost = std::filesystem::exists(results / "summary.json") || checkpoints.exist() ||
                       has_rows_of_steps(results / "series.csv") ||
-                      recorded_status(results).value("checkpoint_step", std::int64_t{-1}) >= 0;
+                      whole_number_of(recorded_status(results), "checkpoint_step", -1) >= 0;
     if (lost)
         throw DirectoryInUse(fmt::format(
             "'{}' holds results but no checkpoint to go on from; choose another directory with "
@@ -68,8 +68,7 @@ void expect_nothing_to_lose(const std::filesystem::path& results, const RunReque
 }
 
 bool is_finished(const std::filesystem::path& results, const RunRequest& request) {
-    return std::filesystem::exists(results / "summary.json") &&
-           recorded_settings(results) == request.settings;
+    return has_summary(results) && recorded_settings(results) == request.settings;
 }
 
 }  // namespace tt

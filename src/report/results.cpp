@@ -19,23 +19,26 @@ namespace {
 namespace fs = std::filesystem;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Json json_if_there(const fs::path& path) {
-    return fs::exists(path) ? read_json(path) : Json::object();
-}
-
 /// A table that is damaged is told and left out.
 Table read_table(const fs::path& directory, const char* name, std::vector<std::string>& faults) {
     const fs::path path = directory / name;
-    if (!fs::exists(path)) return {};
     std::string fault;
     try {
         fault = table_fault(directory, name);
-        if (fault.empty()) return read_csv(path);
+        if (fault.empty()) return fs::exists(path) ? read_csv(path) : Table{};
     } catch (const IoError& error) {
         fault = fmt::format("{} is damaged: {}", path.string(), error.what());
     }
     faults.push_back(fault + "; it is left out");
     return {};
+}
+
+/// Likewise.
+Json read_record(const fs::path& path, std::vector<std::string>& faults) {
+    Json record = read_object(path);
+    if (record.empty() && fs::exists(path))
+        faults.push_back(path.string() + " is damaged; it is left out");
+    return record;
 }
 
 /// nullptr if they are not there or cannot be read.
@@ -82,22 +85,14 @@ std::map<std::string, std::string> read_settings(const fs::path& path) {
     return settings;
 }
 
-double number_or_nan(const Json& object, const char* key) {
-    return object.contains(key) && object[key].is_number() ? object[key].get<double>() : nan;
-}
-
-std::string text_or_nothing(const Json& object, const char* key) {
-    return object.contains(key) && object[key].is_string() ? object[key].get<std::string>() : "";
-}
-
 /// Gathers every average of the summary.
 void gather(const Json& json, Results& results) {
     for (const auto& [name, value] : json.items()) {
         if (!value.is_object() || !value.contains("mean")) continue;
-        results.quantities.push_back(
-            {name, text_or_nothing(value, "unit"), number_or_nan(value, "mean"),
-             number_or_nan(value, "standard_error"), number_or_nan(value, "sd_time"),
-             number_or_nan(value, "sd_cells"), text_or_nothing(value, "reason")});
+        results.quantities.push_back({name, text_of(value, "unit"), number_of(value, "mean", nan),
+                                      number_of(value, "standard_error", nan),
+                                      number_of(value, "sd_time", nan),
+                                      number_of(value, "sd_cells", nan), text_of(value, "reason")});
         const auto window = value.find("window");
         if (window == value.end() || !window->is_array() || window->size() != 2) continue;
         if (!(*window)[0].is_number() || !(*window)[1].is_number()) continue;
@@ -107,7 +102,7 @@ void gather(const Json& json, Results& results) {
 }
 
 void read_failure(const fs::path& folder, Results& r) {
-    r.failure = json_if_there(folder / "failure.json");
+    r.failure = read_record(folder / "failure.json", r.faults);
     if (fs::exists(folder / "why.txt")) r.why = read_file(folder / "why.txt");
     r.failing = read_frames(folder / "frames.h5", r.faults);
     if (r.failing && r.failing->count() == 0) r.failing = nullptr;
@@ -132,9 +127,9 @@ Results read_results(const fs::path& directory) {
     r.directory = directory;
     const bool resolved = fs::exists(directory / "resolved.toml");
     r.settings = read_settings(directory / (resolved ? "resolved.toml" : "case.toml"));
-    r.status = json_if_there(directory / "status.json");
-    r.provenance = json_if_there(directory / "PROVENANCE.json");
-    r.summary = json_if_there(directory / "summary.json");
+    r.status = read_record(directory / "status.json", r.faults);
+    r.provenance = read_record(directory / "PROVENANCE.json", r.faults);
+    r.summary = read_record(directory / "summary.json", r.faults);
     gather(r.summary, r);
     r.checks = read_checks(directory);
     r.series = read_table(directory, "series.csv", r.faults);

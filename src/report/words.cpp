@@ -128,9 +128,10 @@ std::string case_in_words(const Results& run) {
 }
 
 std::string unfinished_note(const Results& run) {
-    const std::string state = run.status.value("status", run.status.value("state", std::string()));
+    const std::string state = text_of(run.status, "status", text_of(run.status, "state"));
     if (run.finished() && (state.empty() || state == "done")) return "";
-    const double reached = run.status.value("time", 0.0), end = run.status.value("end", 0.0);
+    const double reached = number_of(run.status, "time", 0.0);
+    const double end = number_of(run.status, "end", 0.0);
     std::string text = "This run is not finished";
     if (!state.empty() && state != "done") text += " (" + state + ")";
     if (end > 0.0)
@@ -142,14 +143,17 @@ std::string unfinished_note(const Results& run) {
 
 std::string changes_note(const Results& run) {
     std::string text;
-    for (const Json& session : run.provenance.value("sessions", Json::array())) {
+    const Json sessions = run.provenance.value("sessions", Json::array());
+    for (const Json& session : sessions) {
         if (!session.is_object() || !session.contains("changes")) continue;
         text += text.empty() ? "" : " ";
         text += fmt::format("Numerics changed at {} ms, after a blow-up:",
-                            number_text(session.value("from_time", 0.0) * 1e3));
+                            number_text(number_of(session, "from_time", 0.0) * 1e3));
         for (const auto& [key, values] : session["changes"].items())
-            text += fmt::format(" {} = {}, before {};", key, values.at(1).get<std::string>(),
-                                values.at(0).get<std::string>());
+            if (values.is_array() && values.size() == 2 && values[0].is_string() &&
+                values[1].is_string())
+                text += fmt::format(" {} = {}, before {};", key, values[1].get<std::string>(),
+                                    values[0].get<std::string>());
         text.back() = '.';
     }
     return text;

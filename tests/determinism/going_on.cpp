@@ -132,6 +132,10 @@ TEST_F(GoingOn, a_run_without_its_summary_is_ended_once_more_to_the_same_files) 
     fs::remove(path("again") / "summary.json");
     EXPECT_EQ(read_status(path("again")).at("status"), "interrupted");
     EXPECT_EQ(run_small(request).ending, RunOutcome::Ending::done);
+    EXPECT_EQ(run_small(request).ending, RunOutcome::Ending::was_done);
+    replace_file(path("again") / "summary.json", "{\"lamb", Durability::process);
+    EXPECT_EQ(read_status(path("again")).at("status"), "interrupted");
+    EXPECT_EQ(run_small(request).ending, RunOutcome::Ending::done);
     EXPECT_EQ(read_status(path("again")).at("status"), "done");
     expect_same_results(path("straight"), path("again"));
     EXPECT_EQ(read_json(path("straight") / "summary.json")["lambda_C"],

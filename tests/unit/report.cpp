@@ -80,6 +80,26 @@ TEST(Report, damaged_frames_and_tables_are_left_out_and_told_on_the_page) {
     EXPECT_FALSE(fs::exists(scratch / "csv" / "nodes_000001.csv"));
 }
 
+/// Whatever became of them: no one file costs the page the rest.
+TEST(Report, damaged_records_and_tables_that_are_gone_are_told_on_the_page) {
+    ScratchFolder scratch;
+    const fs::path run = scratch / "run";
+    run_small(small_request(run, 200));
+    const std::array<fs::path, 1> runs{run};
+    fs::remove(run / "cells.csv");
+    for (const char* text : {"[[[", "[]",
+                             "{\"sessions\": [{\"changes\": {\"a\": 1}}, 5], "
+                             "\"status\": 3, \"step\": \"x\", \"checks\": 7}"}) {
+        for (const char* name : {"summary.json", "status.json", "PROVENANCE.json"})
+            std::ofstream(run / name) << text;
+        const std::string page = text_of(write_report(runs));
+        EXPECT_NE(page.find("cells.csv is gone"), std::string::npos) << text;
+        EXPECT_EQ(page.find("status.json is damaged") != std::string::npos, text[0] == '[');
+        EXPECT_EQ(page.find("summary.json is damaged") != std::string::npos, text[0] == '[');
+    }
+    EXPECT_NE(describe_status(read_status(run)).find("?: unknown"), std::string::npos);
+}
+
 TEST(Report, unfinished_runs_say_how_far_they_came) {
     ScratchFolder scratch;
     invent_results(scratch / "running", "--stage running");

@@ -1,6 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -55,6 +61,40 @@ TEST(Team, shares_cover_everything_once_in_order) {
             }
         }
     }
+}
+
+/// Schedulers set limits of processes and of memory.
+TEST(Team, is_of_the_threads_that_the_system_gives) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "a sanitizer needs memory of its own for each thread";
+#endif
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+    GTEST_SKIP() << "likewise";
+#endif
+#endif
+    constexpr int asked = 200, count = 1000;
+    const pid_t child = fork();
+    if (child == 0) {
+        std::size_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        // Room for some stacks of 8 MB more.
+        const rlim_t bytes = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + (100u << 20);
+        const rlimit limit{bytes, bytes};
+        setrlimit(RLIMIT_AS, &limit);
+        std::vector<int> done(count, 0);
+        int size = 0;
+        with_team(asked, [&] {
+            const auto [begin, end] = team_share(count);
+            for (int k = begin; k < end; ++k) ++done[k];
+            on_one_thread([&] { size = team_size(); });
+        });
+        const bool all = std::count(done.begin(), done.end(), 1) == count;
+        _exit(all && size > 1 && size < asked ? 0 : 1);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
 }
 
 }  // namespace
