@@ -46,8 +46,7 @@ bool judge_outline(Judge& judge, const Case& c) {
 
 void judge_membrane(Judge& judge, const MembraneCase& membrane) {
     std::vector<Modality> hardened = membrane.hardening.apply_to;
-    if (is_drop(membrane) &&
-        std::erase(hardened, Modality::shear) > 0)
+    if (is_drop(membrane) && std::erase(hardened, Modality::shear) > 0)
         judge.tell({"membrane.law"},
                    fmt::format("a drop of constant surface tension does not harden: in "
                                "[membrane.hardening] write apply_to = {}",
@@ -196,8 +195,9 @@ void judge_grid(Judge& judge, const Case& c) {
                 fitting_spacing(c, wanted)));
     if (length / dx * (width / dx) > most_sites)
         return judge.tell({"numerics.dx"},
-                          fmt::format("dx = {} makes {:.3g} sites; at most {} are possible; {}",
-                                      to_text(*c.numerics.dx), length / dx * (width / dx),
+                          fmt::format("dx = {} makes {} sites; at most {} are possible; {}",
+                                      to_text(*c.numerics.dx),
+                                      rounded_text(length / dx * (width / dx), Dimension{}, 3),
                                       to_text(most_sites), fewer_sites(c, wanted)));
     if (cells && c.cells.radius.si / dx < 4.0)
         return judge.tell(
@@ -222,6 +222,11 @@ void judge_times(Judge& judge, const Case& c) {
                                            Judge::key(path), to_text(*t), to_text(end)));
     };
     check(c.time.average_from, "time.average_from");
+    if (c.time.average_from == end)
+        judge.tell({"time.average_from"},
+                   fmt::format("average_from = {} is the end of the run, and nothing is left to "
+                               "average; leave it out",
+                               to_text(end)));
     // Intervals longer than the run are no fault: a run shortened by --set keeps its first and
     // last.
     check(c.numerics.dt, "numerics.dt");

@@ -112,13 +112,13 @@ TEST(ThreadsFor, every_layout_counts) {
         const Choice choice = choose(c);
         const auto expected = static_cast<double>(expected_nodes(c, choice));
         const State state = initial_state(c, discretise(c, choice));
-        EXPECT_NEAR(expected, state.cells.node_count(), 0.02 * expected) << cells;
+        EXPECT_NEAR(expected, state.cells.node_count(), 0.05 * expected) << cells;
         return expected;
     };
     std::string places;
     for (int k = 0; k < 8; ++k) places += fmt::format("[\"{} um\", \"10 um\"], ", 4.0 + 7.0 * k);
     const double by_count = nodes("layout = \"random\", count = 8");
-    EXPECT_GT(by_count, 300.0);
+    EXPECT_GT(by_count, 200.0);
     EXPECT_EQ(nodes("layout = \"explicit\", positions = [" + places + "]"), by_count);
     EXPECT_NEAR(nodes("layout = \"random\", hematocrit = 0.1527"), by_count, 0.01 * by_count);
 }

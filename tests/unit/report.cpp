@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "report/export.hpp"
 #include "report/page_data.hpp"
+#include "observe/status.hpp"
 #include "report/words.hpp"
 #include "small_run.hpp"
 #include "unit/invented_results.hpp"
