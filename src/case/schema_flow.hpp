@@ -139,7 +139,7 @@ struct FieldList<LayerCase> {
     static constexpr auto entries = std::tuple{
         FieldEntry{"thickness", &T::thickness, "from the bottom wall up", box_size, {}, "5 um"},
         FieldEntry{
-            "viscosity", &T::viscosity, "its dynamic viscosity", fluid_viscosity, {}, "6 cP"},
+            "viscosity", &T::viscosity, "its dynamic viscosity", Range{1e-5, 1e3}, {}, "6 cP"},
     };
 };
 

@@ -142,7 +142,8 @@ std::optional<RunOutcome> CaseRun::open(const std::function<State()>& initial) {
                        : checkpoints_.newest(tell, [this](ArchiveReader& found) { load(found); });
     const std::int64_t step =
         archive ? state_.step : whole_number_of(recorded_status(results_.path()), "step", -1);
-    if (step == steps_ && is_finished(results_.path(), request_)) {
+    const bool apart = archive && frames_stay_apart(results_.path());
+    if (step == steps_ && is_finished(results_.path(), request_) && !apart) {
         std::vector<RunCheck> checks = read_checks(results_.path());
         if (archive) return outcome(RunOutcome::Ending::was_done, std::move(checks));
         return RunOutcome{RunOutcome::Ending::was_done, steps_, steps_, 0, 0.0, std::move(checks)};

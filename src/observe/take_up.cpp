@@ -6,6 +6,7 @@
 
 #include "base/units.hpp"
 #include "io/file.hpp"
+#include "io/frames_format.hpp"
 #include "observe/same_case.hpp"
 #include "observe/status.hpp"
 #include "simulation/derive.hpp"
@@ -65,6 +66,14 @@ void expect_nothing_to_lose(const std::filesystem::path& results, const RunReque
             "'{}' holds results but no checkpoint to go on from; choose another directory with "
             "-o, or move them aside with --fresh",
             request.directory.string()));
+}
+
+bool frames_stay_apart(const std::filesystem::path& results) {
+    try {
+        return frames::kind_of(frames::File(results / "frames.h5").id) == frames::Kind::index;
+    } catch (const IoError&) {  // not there or damaged: told by whoever reads it
+        return false;
+    }
 }
 
 bool is_finished(const std::filesystem::path& results, const RunRequest& request) {

@@ -28,6 +28,9 @@ std::int64_t step_apart_from_looks(const ArchiveReader& archive, const Model& mo
 void expect_nothing_to_lose(const std::filesystem::path& results, const RunRequest& request,
                             const Checkpoints& checkpoints);
 
+/// Is frames.h5 still an index, which an earlier end could not put together?
+bool frames_stay_apart(const std::filesystem::path& results);
+
 /// Is all there that a run of just these settings leaves? summary.json is the last of it.
 bool is_finished(const std::filesystem::path& results, const RunRequest& request);
 

@@ -59,8 +59,8 @@ def ends_of_ranges():
         row = re.match(r"\| `(\w+) = (.*)` \| .* \| (.*) \|$", line)
         if not row or f"{table}.{row[1]}" in left_out or row[1] in left_out:
             continue
-        key, bounds = f"{table}.{row[1]}", row[3].split(";")[0]
-        for sign, number, unit in re.findall(r"([<>])=? (-?[\d.e+-]+)(?: ([^,;]*))?", bounds):
+        key, bounds = f"{table}.{row[1]}", row[3].split(";")[0].replace("\\|", "|")
+        for sign, number, unit in re.findall(r"([<>])=? (-?[\d.e+-]+)(?: ([^,;|]*))?", bounds):
             open_end = f"{sign} {number}" in bounds
             value = float(number)
             if open_end:
@@ -68,7 +68,7 @@ def ends_of_ranges():
             number = str(int(value)) if row[2] == "1" or key == "cells.count" else repr(value)
             yield key, f"{number} {unit}".strip()
         if "|" in bounds and not row[2].startswith("["):
-            for word in re.findall(r"[\w-]+", bounds.replace("\\|", " ")):
+            for word in re.findall(r"\b[a-z][\w-]*", bounds[bounds.index("|"):] if re.match("[<>]", bounds) else bounds):
                 if (key, word) not in need_more:
                     yield key, word
 
@@ -103,11 +103,14 @@ def is_sound(folder):
 
 def follow(message, settings):
     """What the first fault advises: key = value to write, or a key to leave out."""
+    message = (message.splitlines() or [""])[0]
     table = re.search(r"\[(\w+(?:\.\w+)?)\]", message)
     known = {key.rsplit(".", 1)[-1]: key for key, _ in ends} | {k.rsplit(".", 1)[-1]: k for k in settings}
     beside = re.search(r"--set (\w+(?:\.\w+)*)\.\w+=", message)  # as in "needs aspect_ratio = 1.5"
     table = table or beside
     full = lambda word: word if "." in word else known.get(word, f"{table[1]}.{word}" if table else word)
+    if both := re.search(r"(\w+) and (\w+) are both given", message):
+        return {full(both[2]): None}
     if write := re.search(r'(?:[Ww]rite|needs) (?:at most )?([\w.]+) = ("[^"]*"|\[.*\]|[\w.+-]+)', message):
         return {full(write[1]): write[2].strip('"')}
     if out := re.search(r"leave (?:it|(\w+)(?:, \w+)* and \w+|(\w+)) out", message):

@@ -3,6 +3,8 @@
 #include <string>
 #include <thread>
 
+#include <sys/resource.h>
+
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
@@ -140,6 +142,25 @@ TEST_F(GoingOn, a_run_without_its_summary_is_ended_once_more_to_the_same_files) 
     expect_same_results(path("straight"), path("again"));
     EXPECT_EQ(read_json(path("straight") / "summary.json")["lambda_C"],
               read_json(path("again") / "summary.json")["lambda_C"]);
+}
+
+/// A disk that was full at the very end of a run.
+TEST_F(GoingOn, frames_that_could_not_be_put_together_are_so_by_the_next_call) {
+    const RunRequest request = small_request(path("apart"), 500);
+    run_small(small_request(path("straight"), 500));
+    rlimit limit{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &limit), 0);
+    const rlimit small{200'000, limit.rlim_max};  // enough for a checkpoint and for each frame
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const auto ending = run_small(request).ending;
+    setrlimit(RLIMIT_FSIZE, &limit);
+    EXPECT_EQ(ending, RunOutcome::Ending::done);
+    EXPECT_TRUE(fs::exists(path("apart") / "frames"));
+    EXPECT_TRUE(fs::exists(path("apart") / "summary.json"));
+    EXPECT_EQ(run_small(request).ending, RunOutcome::Ending::done);
+    EXPECT_FALSE(fs::exists(path("apart") / "frames"));
+    expect_same_results(path("straight"), path("apart"));
+    EXPECT_EQ(run_small(request).ending, RunOutcome::Ending::was_done);
 }
 
 TEST_F(GoingOn, a_row_and_a_frame_stand_once_at_the_end) {

@@ -56,7 +56,7 @@ TEST(Resolution, too_many_sites_are_made_fewer_without_losing_the_cells) {
     EXPECT_EQ(advice({}, 20'000), "dx = \"0.4 um\"");
     EXPECT_EQ(advice({}, 1000), "length = \"2 um\"") << "16 sites to a cell's diameter are too few";
     EXPECT_EQ(
-        advice({"cells.layout=single", "cells.count=1", "domain.width=2 cm", "domain.length=20 um"},
+        advice({"cells.layout=single", "cells.count=1", "domain.width=1 cm", "domain.length=20 um"},
                1e5),
         "width = \"200 um\"");
 }
