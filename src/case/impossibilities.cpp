@@ -128,7 +128,7 @@ void judge_shear_number(Judge& judge, const Case& c) {
     const double shear_number =
         c.plasma.viscosity.si * rate * equivalent_radius(c).si / c.membrane.shear_modulus.si;
     if (shear_number <= largest_shear_number) return;
-    const auto [key, value] = flow_times(c.flow, 0.9 * largest_shear_number / shear_number);
+    const auto [key, value] = flow_times(c.flow, 0.1 * largest_shear_number / shear_number);
     judge.tell(
         {"flow." + key, "plasma.viscosity", "membrane.shear_modulus"},
         fmt::format(
