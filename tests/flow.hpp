@@ -47,10 +47,12 @@ struct Flow {
 
     void run(long long steps) {
         Periodic exchange;
+        WallLinks<> links;
+        if (boundaries.walls) links = {*boundaries.walls, populations};
         for (long long step = 0; step < steps; ++step) {
             collide_and_stream(equilibrium, boundaries, body_force, force, relaxation, populations,
                                velocity);
-            settle(exchange, populations);
+            settle(exchange, links, populations);
         }
     }
 

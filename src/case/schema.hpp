@@ -153,6 +153,7 @@ struct FieldList<Case> {
                    {},
                    "channel-500-LD"},
         FieldEntry{"domain", &T::domain, "the box"},
+        FieldEntry{"geometry", &T::geometry, "the walls, where they are not those of the box"},
         FieldEntry{"flow", &T::flow, "what drives the flow"},
         FieldEntry{"plasma", &T::plasma, "the fluid around the cells"},
         FieldEntry{"layer", &T::layer,

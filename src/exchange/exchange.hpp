@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 #include "fluid/populations.hpp"
+#include "fluid/wall_links.hpp"
 #include "grid/field.hpp"
 
 namespace tt {
@@ -31,19 +32,27 @@ public:
     virtual void fold(VectorField<float>& field) = 0;
 };
 
-/// Ends a pass of `collide_and_stream`: halo in line, phase flipped, so that between steps every
-/// population can be read and the next pass can start. Team function; waits until all rows have
-/// been passed, and is done when all threads have returned.
+/// Ends a pass of `collide_and_stream`: walls answered, halo in line, phase flipped, so that between
+/// steps every population can be read and the next pass can start. Team function; waits until all
+/// rows have been passed, and is done when all threads have returned.
 template <class Real>
-void settle(Exchange& exchange, Populations<Real>& populations) {
+void settle(Exchange& exchange, WallLinks<Real>& links, Populations<Real>& populations) {
     const Phase done = populations.phase;
     team_barrier();  // all rows have been passed
     if (done == Phase::even) {
+        links.apply(populations);
+        if (!links.empty()) team_barrier();
         exchange.fill(populations);
     } else {
         exchange.fold(populations);
+        links.apply(populations);
     }
     if (team_rank() == 0) populations.phase = done == Phase::even ? Phase::odd : Phase::even;
+}
+template <class Real>
+void settle(Exchange& exchange, Populations<Real>& populations) {
+    WallLinks<Real> none;
+    settle(exchange, none, populations);
 }
 
 }  // namespace tt

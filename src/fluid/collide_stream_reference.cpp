@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "fluid/collide_stream.hpp"
 
@@ -53,8 +55,11 @@ Nine collided(AnEquilibrium kind, const Nine& f, Vec2 force, double even, double
     return g;
 }
 
+/// What departs from each site.
+using Departures = std::vector<Nine>;
+
 /// Sends g away from site (x, y) into `next`, phase even: to the neighbour, through a periodic end,
-/// or half-way back from a wall.
+/// or half-way back from a wall of the lattice. What goes to a closed site is left to the links.
 template <class Real>
 void stream(const Boundaries& boundaries, const Nine& g, int x, int y, Populations<Real>& next) {
     const Lattice& lattice = next.lattice();
@@ -74,6 +79,38 @@ void stream(const Boundaries& boundaries, const Nine& g, int x, int y, Populatio
     }
 }
 
+/// What comes back along the links of walls of any shape (fluid/wall_links.hpp).
+template <class Real>
+void return_from_walls(const Walls& walls, const Departures& g, Populations<Real>& next) {
+    const Lattice& lattice = walls.lattice;
+    const auto at = [&](int x, int y) -> const Nine& {
+        return g[static_cast<std::size_t>(lattice.row_in_box(y)) * lattice.nx +
+                 wrapped(x, lattice.nx)];
+    };
+    std::vector<double> returned, excess, weight;
+    for (const WallLink& link : walls.links) {
+        const int i = link.direction, o = d2q9::opposite[i];
+        const double q = link.second ? link.q : 0.5;
+        double gain = 4.0 / (1.0 + 2.0 * q) * 3.0 * d2q9::weight[i] * along(i, link.velocity);
+        if (link.second)
+            gain += (1.0 - 2.0 * q) / (1.0 + 2.0 * q) *
+                    (at(link.i + d2q9::cx[i], link.j + d2q9::cy[i])[o] - at(link.i, link.j)[i]);
+        returned.push_back(at(link.i, link.j)[o] + gain);
+        const auto loops = static_cast<std::size_t>(link.loop) + 1;
+        excess.resize(std::max(excess.size(), loops), 0.0);
+        weight.resize(std::max(weight.size(), loops), 0.0);
+        excess[link.loop] += gain;
+        weight[link.loop] += d2q9::weight[i];
+    }
+    for (std::size_t l = 0; l < walls.links.size(); ++l) {
+        const WallLink& link = walls.links[l];
+        const int i = link.direction;
+        next.set_slot(i, link.i, link.j,
+                      returned[l] -
+                          d2q9::weight[i] * excess[link.loop] / weight[link.loop]);
+    }
+}
+
 }  // namespace
 
 template <class Real>
@@ -82,12 +119,16 @@ void collide_and_stream_reference(const Equilibrium& equilibrium, const Boundari
                                   const Relaxation<Real>& relaxation,
                                   Populations<Real>& populations, VectorField<Real>& velocity) {
     const Lattice& lattice = populations.lattice();
+    const Walls* const walls = boundaries.walls.get();
     Populations<Real> next(lattice);
+    Departures departures;
     for (int y = 0; y < lattice.ny; ++y) {
         for (int x = 0; x < lattice.nx; ++x) {
+            departures.push_back({});
+            if (walls && !walls->is_open(x, y)) continue;
             const Nine f = arriving_at(populations, x, y);
             Vec2 u;
-            const Nine g = std::visit(
+            departures.back() = std::visit(
                 [&](auto kind) {
                     return collided(kind, f, force(x, y) + body_force, relaxation.even(x, y),
                                     relaxation.odd(x, y), u);
@@ -95,9 +136,10 @@ void collide_and_stream_reference(const Equilibrium& equilibrium, const Boundari
                 equilibrium);
             velocity.x(x, y) = static_cast<Real>(u.x);
             velocity.y(x, y) = static_cast<Real>(u.y);
-            stream(boundaries, g, x, y, next);
+            stream(boundaries, departures.back(), x, y, next);
         }
     }
+    if (walls) return_from_walls(*walls, departures, next);
     populations = next;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "fluid/walls.hpp"
 #include "grid/lattice.hpp"
 #include "interaction/morse.hpp"
 #include "interaction/nearest.hpp"
@@ -27,6 +29,7 @@ struct ContactModel {
     double repulsion_range = 0.0;     ///< short-range repulsion below this gap; 0: off
     double repulsion_strength = 0.0;  ///< its pressure at zero gap
     int interval = 1;                 ///< steps from one measurement of the gaps to the next
+    std::shared_ptr<const Walls> walls;  ///< of any shape; none: those of the lattice
 
     /// How far apart two membranes can feel each other; 0: nothing to do.
     double reach() const {

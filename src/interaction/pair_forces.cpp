@@ -111,6 +111,24 @@ void add_hits(Suspension& cells, const ContactState& contact, int begin, int end
     }
 }
 
+/// The same of walls of any shape, away from the nearest point of them.
+std::int64_t repel_from_walls(const ContactModel& model, const Walls& walls, Suspension& cells,
+                              int cell) {
+    const ShortRangeRepulsion repulsion{model.repulsion_range, model.repulsion_strength};
+    const int first = cells.first[cell], last = cells.first[cell + 1] - 1;
+    std::int64_t count = 0;
+    for (int k = first; k <= last; ++k) {
+        const double gap = walls.distance_at(cells.position(k));
+        if (gap >= repulsion.range) continue;
+        const double share = share_of(cells.x.data(), cells.y.data(), first, last, k);
+        const Vec2 force = 2.0 * share * repulsion.pressure(gap) * walls.away_at(cells.position(k));
+        cells.pair_fx[k] += force.x;
+        cells.pair_fy[k] += force.y;
+        ++count;
+    }
+    return count;
+}
+
 /// Short-range repulsion of the walls at y = 0 and y = ny from the nodes of one cell; returns how
 /// many felt it.
 std::int64_t repel_from_walls(const ContactModel& model, const Lattice& lattice, Suspension& cells,
@@ -153,7 +171,9 @@ void measure_pair_forces(const ContactModel& model, const Lattice& lattice, Susp
         find_hits(model, cells, contact, c, drift);
         measure_hits(cells.x.data(), cells.y.data(), node, node + count - 1, mine.hits);
         set_pressures(model, cells.alpha[c], mine);
-        if (lattice.walls && model.repulsion_range > 0.0)
+        if (model.walls && model.repulsion_range > 0.0)
+            mine.repelled += repel_from_walls(model, *model.walls, cells, c);
+        else if (lattice.walls && model.repulsion_range > 0.0)
             mine.repelled += repel_from_walls(model, lattice, cells, c);
     }
     team_barrier();  // all have their hits

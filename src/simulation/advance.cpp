@@ -47,6 +47,7 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     // One field for both: the collision, the last to read the force on a site, puts the velocity in
     // its place. So much less to bring into the cache.
     VectorField<Real>&force = sites.velocity, &velocity = sites.velocity;
+    const Walls* const walls = m.boundaries.walls.get();
     const Order order = m.jump.has_dipole() ? Order::first : Order::zeroth;
     const auto done = [times](Pass pass) {
         if (times) times->lap(pass);
@@ -61,6 +62,7 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     done(Pass::contact);
 
     locate(m.delta, m.lattice, s.cells, sites.stencils);  // Eq. 8
+    if (walls) cut_at_walls(*walls, s.cells, sites.stencils, sites.cut);
     set_dipoles(m.jump, s.cells);
     done(Pass::locate);
 
@@ -70,6 +72,7 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     // … then of the rows of sites …
     clear(force);
     spread(order, sites.stencils, s.cells, force);  // Eq. 9
+    if (walls) spread_cut(order, sites.cut, s.cells, force);
     x.fold(force);
     done(Pass::spread);
 
@@ -79,13 +82,14 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     collide_and_stream(m.equilibrium, m.boundaries, {s.drive.body_force, 0.0}, force,
                        sites.relaxation, sites.populations, velocity);  // Eqs. 1–4
     x.fill(velocity);
-    settle(x, sites.populations);  // waits until all velocities are there
+    settle(x, sites.links, sites.populations);  // waits until all velocities are there
     done(Pass::fluid);
 
     // … and of the cells again.
     const auto [begin, end] = own_cells(s.cells);
     for (int cell = begin; cell < end; ++cell) {
         interpolate(order, sites.stencils, velocity, s.cells, cell);  // Eq. 7
+        if (walls) interpolate_cut(order, sites.cut, velocity, s.cells, cell);
         correct_velocities(m.jump, s.cells, cell);
         average_in_time(s.cells, cell, first_step);
         if (m.membrane.mobility > 0.0) answer_with_tension(m.membrane.mobility, s.cells, cell);

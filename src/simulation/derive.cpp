@@ -9,11 +9,12 @@ namespace {
 /// u = Σ f c + ½ F of the uniform force: what an observer sees before the first step. A step would
 /// add that of the membranes.
 template <class Real>
-void fill_velocity(const Populations<Real>& populations, double body_force,
+void fill_velocity(const Populations<Real>& populations, double body_force, const Walls* walls,
                    VectorField<Real>& velocity) {
     const Lattice& lattice = populations.lattice();
     for (int j = 0; j < lattice.ny; ++j) {
         for (int i = 0; i < lattice.nx; ++i) {
+            if (walls && !walls->is_open(i, j)) continue;
             const Vec2 momentum = moments(populations, i, j).momentum;
             velocity.x(i, j) = static_cast<Real>(momentum.x + 0.5 * body_force);
             velocity.y(i, j) = static_cast<Real>(momentum.y);
@@ -25,10 +26,14 @@ template <class Real>
 void derive(const Model& model, Sites<Real>& sites, State& state) {
     const Lattice& lattice = model.lattice;
     sites.velocity = VectorField<Real>(lattice);
-    fill_velocity(sites.populations, state.drive.body_force, sites.velocity);
+    const Walls* const walls = model.boundaries.walls.get();
+    fill_velocity(sites.populations, state.drive.body_force, walls, sites.velocity);
+    sites.links = walls ? WallLinks<Real>(*walls, sites.populations) : WallLinks<Real>();
     sites.relaxation = Relaxation<Real>(lattice);
     sites.stencils = Stencils<Real>(state.cells.node_count());
     locate(model.delta, lattice, state.cells, sites.stencils);
+    sites.cut.of_cell.resize(state.cells.cell_count());
+    if (walls) cut_at_walls(*walls, state.cells, sites.stencils, sites.cut);
     if (state.interior.x.size() == state.cells.x.size())  // kept by a checkpoint
         restore_viscosity(model.viscosity, state.cells, state.interior, sites.relaxation);
     else

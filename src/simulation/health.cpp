@@ -94,15 +94,23 @@ TT_CLONES int count_faults(const NodesWatched& watched) {
     return faults;
 }
 
-/// Every node finite and, where there are walls, between them.
+/// Every node finite and, where there are walls, in the open.
 std::optional<Instability> node_places(const Model& model, const State& state, Range of_cells) {
     const Suspension& cells = state.cells;
     const double height = model.lattice.ny;
+    const Walls* const walls = model.boundaries.walls.get();
     for (int n = cells.first[of_cells.first]; n < cells.first[of_cells.second]; ++n) {
         const double x = cells.x[n];
         const double y = cells.y[n];
         const bool known = std::abs(x) < farthest && std::abs(y) < farthest;
-        if (known && (!model.lattice.walls || (y > 0.0 && y < height))) continue;
+        if (known && (!model.lattice.walls || (y > 0.0 && y < height))) {
+            if (!walls || walls->distance_at({x, y}) > 0.0) continue;
+            Instability what = fault_at_node(
+                model, state, n, {"distance to the wall", walls->distance_at({x, y}), 0.0, "sites"});
+            what.cause = "a node went through a wall";
+            what.cure = smaller_step;
+            return what;
+        }
         const bool in_x = !(std::abs(x) < farthest);
         const double limit = !known ? farthest : y > 0.0 ? height : 0.0;
         Instability what = fault_at_node(

@@ -3,11 +3,13 @@
 #include <cstdint>
 #include <variant>
 
+#include "coupling/cut_stencils.hpp"
 #include "coupling/stencil.hpp"
 #include "coupling/viscosity.hpp"
 #include "fluid/moments.hpp"
 #include "fluid/populations.hpp"
 #include "fluid/relaxation.hpp"
+#include "fluid/wall_links.hpp"
 #include "interaction/contact.hpp"
 #include "membrane/suspension.hpp"
 
@@ -21,6 +23,8 @@ struct Sites {
     VectorField<Real> velocity;  ///< of the fluid; within a step at first the force on it
     Relaxation<Real> relaxation;
     Stencils<Real> stencils;
+    WallLinks<Real> links;  ///< of walls of any shape
+    CutStencils<Real> cut;  ///< of the nodes beside them
 
     Sites() = default;
     /// At rest; without nodes.

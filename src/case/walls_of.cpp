@@ -1,0 +1,156 @@
+#include "case/walls_of.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "base/units.hpp"
+#include "io/point_list.hpp"
+
+namespace tt {
+namespace {
+
+constexpr int pieces = 240;  ///< of a curve: its chords are off by 10⁻⁴ of its radius
+
+/// Both bumps: h(x) = b/2 (1 + cos(2π (x − x_c)/ℓ)), closed well beyond the wall.
+Solid solid_of(const StenosisShape& shape, const DomainCase& box) {
+    const double width = box.width.si, length = shape.throat_length.si;
+    const double bump = 0.5 * (width - shape.throat.si), beyond = 0.25 * width;
+    const double start = 0.5 * (box.length.si - length);
+    Loop low{{start, -beyond}};
+    for (int k = 0; k <= pieces; ++k) {
+        const double share = static_cast<double>(k) / pieces;
+        low.push_back({start + share * length,
+                       0.5 * bump * (1.0 - std::cos(2.0 * std::numbers::pi * share))});
+    }
+    low.push_back({start + length, -beyond});
+    Loop high = low;
+    for (Vec2& p : high) p.y = width - p.y;
+    return {{low, high}, false, box.length.si, 0.0};
+}
+
+Solid solid_of(const PostsShape& shape, const DomainCase& box) {
+    Solid solid;
+    const double across = box.length.si / static_cast<double>(shape.columns);
+    const double up = box.width.si / static_cast<double>(shape.rows);
+    // A polygon with the area of the circle.
+    const double angle = 2.0 * std::numbers::pi / pieces;
+    const double radius = 0.5 * shape.diameter.si * std::sqrt(angle / std::sin(angle));
+    for (std::int64_t i = 0; i < shape.columns; ++i)
+        for (std::int64_t j = 0; j < shape.rows; ++j) {
+            const double shift = shape.row_shift * static_cast<double>(i);
+            const Vec2 centre{(static_cast<double>(i) + 0.5) * across,
+                              (static_cast<double>(j) + 0.5 + shift - std::floor(shift)) * up};
+            Loop post;
+            for (int k = 0; k < pieces; ++k)
+                post.push_back(centre + radius * Vec2{std::cos(k * angle), std::sin(k * angle)});
+            solid.loops.push_back(std::move(post));
+        }
+    solid.period_x = box.length.si;
+    if (box.sides == Sides::periodic) solid.period_y = box.width.si;
+    return solid;
+}
+
+Solid solid_of(const DrawnShape& shape, const DomainCase& box) {
+    return {shape.loops, shape.fluid == Side::inside, box.length.si,
+            box.sides == Sides::periodic ? box.width.si : 0.0};
+}
+
+Solid solid_of(const StraightShape&, const DomainCase&) { return {}; }
+
+}  // namespace
+
+Solid solid_of(const Case& c) {
+    return std::visit([&](const auto& shape) { return solid_of(shape, c.domain); },
+                      c.geometry.shape);
+}
+
+std::vector<Loop> read_loops(std::string_view text, const std::string& name, double unit) {
+    std::vector<Loop> loops;
+    std::vector<Fault> faults;
+    std::string block, before;  // lines already read, empty, so that numbers of lines are right
+    const auto finish = [&] {
+        if (block.empty()) return;
+        try {
+            Loop loop = parse_points(before + block, name).points;
+            for (Vec2& p : loop) p *= unit;
+            if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
+            if (loop.size() < 3)
+                faults.push_back({name, 0, 0,
+                                  fmt::format("loop {} has {} points; a loop takes three or more",
+                                              loops.size() + 1, loop.size())});
+            loops.push_back(std::move(loop));
+        } catch (const CaseError& error) {
+            faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+        }
+        before.append(static_cast<std::size_t>(std::count(block.begin(), block.end(), '\n')), '\n');
+        block.clear();
+    };
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size() - 1);
+        const std::string_view line = text.substr(0, end + 1);
+        text.remove_prefix(end + 1);
+        if (line.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+            finish();
+            before += '\n';
+        } else {
+            block += line;
+        }
+    }
+    finish();
+    if (loops.empty() && faults.empty())
+        faults.push_back({name, 0, 0, "holds no loop; write x,y in um, one point a line"});
+    if (!faults.empty()) throw CaseError(faults);
+    return loops;
+}
+
+double narrowest_gap(const Walls& walls) {
+    // On the ridge between two walls the distance is half of the gap; away from it, it falls.
+    double least = HUGE_VAL;
+    const Lattice& lattice = walls.lattice;
+    for (int j = 0; j < lattice.ny; ++j)
+        for (int i = 0; i < lattice.nx; ++i) {
+            if (!walls.is_open(i, j)) continue;
+            const double here = walls.distance(i, j);
+            const auto between = [&](int di, int dj) {
+                return here >= walls.distance(i - di, j - dj) &&
+                       here >= walls.distance(i + di, j + dj) &&
+                       // Steep on both sides: two walls, not the end of one.
+                       2.0 * here - walls.distance(i - 2 * di, j - 2 * dj) -
+                               walls.distance(i + 2 * di, j + 2 * dj) >
+                           2.0 * std::hypot(di, dj);
+            };
+            if (between(1, 0) || between(0, 1) || between(1, 1) || between(1, -1))
+                least = std::min(least, 2.0 * here);
+        }
+    return least;
+}
+
+std::vector<std::string> faults_of(const Walls& walls, double dx) {
+    std::vector<std::string> faults;
+    if (walls.open_sites() == 0) {
+        faults.push_back(
+            "[geometry] leaves no room for fluid: nothing in the box is open; draw loops within the "
+            "box, or write fluid = \"inside\" or \"outside\" the other way round");
+        return faults;
+    }
+    if (walls.remarks.parts > 1)
+        faults.push_back(fmt::format(
+            "[geometry] the fluid is in {} parts that are not connected; join them, draw what is "
+            "between them wider than a site ({}), or leave all but one of them out",
+            walls.remarks.parts, rounded_text(Length{dx}, 3)));
+    constexpr double fewest = 4.0;
+    const double gap = narrowest_gap(walls);
+    if (gap < fewest)
+        faults.push_back(fmt::format(
+            "[geometry] the narrowest gap is {:.2g} sites wide, {}; flow takes {:.0f}: write dx = "
+            "\"{}\" in [numerics]",
+            gap, rounded_text(Length{gap * dx}, 2), fewest,
+            rounded_text(Length{gap * dx / 8.0}, 2)));
+    return faults;
+}
+
+}  // namespace tt

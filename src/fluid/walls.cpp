@@ -1,0 +1,231 @@
+#include "fluid/walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fluid/wall_bins.hpp"
+#include "grid/d2q9.hpp"
+
+namespace tt {
+namespace {
+
+/// A site of the box for one of its surroundings; false beyond a wall of the lattice.
+bool bring_home(const Lattice& lattice, int& i, int& j) {
+    i = wrapped(i, lattice.nx);
+    if (lattice.walls) return j >= 0 && j < lattice.ny;
+    j = wrapped(j, lattice.ny);
+    return true;
+}
+
+bool is_open_at(const Walls& walls, int i, int j) {
+    return bring_home(walls.lattice, i, j) && walls.is_open(i, j);
+}
+
+template <class F>
+void for_each_site(const Lattice& lattice, F&& f) {
+    for (int j = 0; j < lattice.ny; ++j)
+        for (int i = 0; i < lattice.nx; ++i) f(i, j);
+}
+
+void open_by_parity(Walls& walls) {
+    for (int j = 0; j < walls.lattice.ny; ++j) {
+        const std::vector<double> crossings = crossings_of_row(walls.segments, j + 0.5);
+        auto next = crossings.begin();
+        for (int i = 0; i < walls.lattice.nx; ++i) {
+            while (next != crossings.end() && *next < i + 0.5) ++next;
+            const bool inside = (next - crossings.begin()) % 2 == 1;
+            walls.open(i, j) = inside == walls.solid.outside ? 1 : 0;
+        }
+    }
+}
+
+/// Of two open sites with a wall between them the one nearer to it is closed.
+void close_thin_walls(const WallBins& bins, Walls& walls) {
+    for_each_site(walls.lattice, [&](int i, int j) {
+        for (int k = 1; k < d2q9::count; ++k) {
+            if (!walls.is_open(i, j)) return;
+            int x = i + d2q9::cx[k], y = j + d2q9::cy[k];
+            const auto hit = bins.first_meeting(Lattice::position(i, j), Lattice::position(x, y));
+            if (!hit || !bring_home(walls.lattice, x, y) || !walls.is_open(x, y)) continue;
+            (hit->share <= 0.5 ? walls.open(i, j) : walls.open(x, y)) = 0;
+            ++walls.remarks.closed;
+        }
+    });
+}
+
+/// Sites of a connected part of what is open, side by side.
+std::vector<std::pair<int, int>> part_of(const Walls& walls, int i, int j,
+                                         Field<std::uint8_t>& seen) {
+    std::vector<std::pair<int, int>> part{{i, j}};
+    seen(i, j) = 1;
+    for (std::size_t n = 0; n < part.size(); ++n) {
+        for (int k = 1; k < 5; ++k) {
+            int x = part[n].first + d2q9::cx[k], y = part[n].second + d2q9::cy[k];
+            if (!bring_home(walls.lattice, x, y) || !walls.is_open(x, y) || seen(x, y)) continue;
+            seen(x, y) = 1;
+            part.push_back({x, y});
+        }
+    }
+    return part;
+}
+
+/// Parts of less than a hundredth of the largest are pockets: noise in them would stay for ever.
+void close_pockets(Walls& walls) {
+    Field<std::uint8_t> seen(walls.lattice);
+    std::vector<std::vector<std::pair<int, int>>> parts;
+    std::size_t largest = 0;
+    for_each_site(walls.lattice, [&](int i, int j) {
+        if (!walls.is_open(i, j) || seen(i, j)) return;
+        parts.push_back(part_of(walls, i, j, seen));
+        largest = std::max(largest, parts.back().size());
+    });
+    for (const auto& part : parts) {
+        if (100 * part.size() >= largest) {
+            ++walls.remarks.parts;
+            continue;
+        }
+        for (const auto [i, j] : part) walls.open(i, j) = 0;
+        walls.remarks.pockets += static_cast<int>(part.size());
+    }
+}
+
+void fill_halo(Walls& walls) {
+    const Lattice& lattice = walls.lattice;
+    for (int j = -Lattice::halo; j < lattice.ny + Lattice::halo; ++j)
+        for (int i = -Lattice::halo; i < lattice.nx + Lattice::halo; ++i)
+            walls.open(i, j) = is_open_at(walls, i, j) ? 1 : 0;
+}
+
+void find_runs(Walls& walls) {
+    const Lattice& lattice = walls.lattice;
+    walls.first_run = {0};
+    for (int j = 0; j < lattice.ny; ++j) {
+        for (int i = 0; i < lattice.nx; ++i) {
+            if (!walls.is_open(i, j)) continue;
+            if (i > 0 && walls.is_open(i - 1, j))
+                walls.runs.back().end = i + 1;
+            else
+                walls.runs.push_back({i, i + 1});
+        }
+        walls.first_run.push_back(static_cast<int>(walls.runs.size()));
+    }
+}
+
+void find_links(const WallBins& bins, Walls& walls) {
+    const Lattice& lattice = walls.lattice;
+    constexpr double smallest = 1e-9;
+    for_each_site(lattice, [&](int i, int j) {
+        if (!walls.is_open(i, j)) return;
+        for (int k = 1; k < d2q9::count; ++k) {
+            const int x = i - d2q9::cx[k], y = j - d2q9::cy[k];
+            if (is_open_at(walls, x, y)) continue;
+            const auto hit = bins.first_meeting(Lattice::position(i, j), Lattice::position(x, y));
+            WallLink link{i, j, k};
+            link.row_wall = lattice.walls && (y < 0 || y >= lattice.ny);
+            // The lattice's own wall stands half-way, and is the pass's business alone.
+            if (link.row_wall && !(hit && hit->share < 0.5)) continue;
+            // Behind a site that was closed lies a thin wall, or none that this link meets.
+            link.q = hit ? std::max(smallest, hit->share) : 1.0;
+            link.loop = hit ? hit->loop : 0;
+            link.second = is_open_at(walls, i + d2q9::cx[k], j + d2q9::cy[k]);
+            if (!link.second) ++walls.remarks.single;
+            walls.links.push_back(link);
+        }
+    });
+    std::stable_sort(walls.links.begin(), walls.links.end(),
+                     [](const WallLink& a, const WallLink& b) { return a.loop < b.loop; });
+}
+
+/// Each site takes the nearest of the walls that are nearest to its neighbours, in sweeps to and
+/// fro.
+void measure_distances(const WallBins& bins, Walls& walls) {
+    const Lattice& lattice = walls.lattice;
+    constexpr int halo = Lattice::halo;
+    Field<std::int32_t> nearest(lattice, -1);
+    walls.distance = Field<double>(lattice, HUGE_VAL);
+    const auto consider = [&](int i, int j, std::int32_t segment) {
+        if (segment < 0) return;
+        const Vec2 here = Lattice::position(i, j);
+        const double away = norm(here - nearest_on(walls.segments[segment], here));
+        if (away >= walls.distance(i, j)) return;
+        walls.distance(i, j) = away;
+        nearest(i, j) = segment;
+    };
+    const auto for_each = [&](auto&& f) {
+        for (int j = -halo; j < lattice.ny + halo; ++j)
+            for (int i = -halo; i < lattice.nx + halo; ++i) f(i, j);
+    };
+    for_each([&](int i, int j) {
+        bins.for_each_near(Lattice::position(i, j), [&](int s) { consider(i, j, s); });
+    });
+    const auto look = [&](int i, int j, int di, int dj) {
+        const int x = i + di, y = j + dj;
+        if (x < -halo || x >= lattice.nx + halo || y < -halo || y >= lattice.ny + halo) return;
+        consider(i, j, nearest(x, y));
+    };
+    const int width = lattice.nx + 2 * halo, height = lattice.ny + 2 * halo;
+    for (int sweep = 0; sweep < 4; ++sweep) {
+        const bool up = sweep % 2 == 0, right = sweep / 2 == 0;
+        for (int n = 0; n < height; ++n) {
+            for (int m = 0; m < width; ++m) {
+                const int i = right ? m - halo : lattice.nx + halo - 1 - m;
+                const int j = up ? n - halo : lattice.ny + halo - 1 - n;
+                const int a = right ? -1 : 1, b = up ? -1 : 1;
+                look(i, j, a, 0), look(i, j, 0, b), look(i, j, a, b), look(i, j, -a, b);
+            }
+        }
+    }
+    for_each([&](int i, int j) {
+        double& away = walls.distance(i, j);
+        if (lattice.walls)
+            away = std::min(away, std::min(j + 0.5, lattice.ny - (j + 0.5)));
+        if (!walls.is_open(i, j)) away = -std::fabs(away);
+    });
+}
+
+}  // namespace
+
+std::int64_t Walls::open_sites() const {
+    std::int64_t count = 0;
+    for (const OpenRun& run : runs) count += run.end - run.begin;
+    return count;
+}
+
+double Walls::distance_at(Vec2 place) const {
+    const double x = place.x - lattice.nx * std::floor(place.x / lattice.nx) - 0.5;
+    const double y = lattice.walls ? place.y - 0.5
+                                   : place.y - lattice.ny * std::floor(place.y / lattice.ny) - 0.5;
+    const int i = static_cast<int>(std::floor(x));
+    const int j = std::clamp(static_cast<int>(std::floor(y)), -Lattice::halo,
+                             lattice.ny + Lattice::halo - 2);
+    const double a = x - i, b = y - j;
+    return (1.0 - b) * ((1.0 - a) * distance(i, j) + a * distance(i + 1, j)) +
+           b * ((1.0 - a) * distance(i, j + 1) + a * distance(i + 1, j + 1));
+}
+
+Vec2 Walls::away_at(Vec2 place) const {
+    constexpr double step = 0.5;
+    const Vec2 slope{distance_at(place + Vec2{step, 0.0}) - distance_at(place - Vec2{step, 0.0}),
+                     distance_at(place + Vec2{0.0, step}) - distance_at(place - Vec2{0.0, step})};
+    const double size = norm(slope);
+    return size > 0.0 ? slope / size : Vec2{};
+}
+
+Walls make_walls(const Solid& solid, const Lattice& lattice) {
+    Walls walls;
+    walls.lattice = lattice;
+    walls.solid = solid;
+    walls.segments = segments_near(solid, lattice.nx, lattice.ny, Lattice::halo + 1.0);
+    walls.open = Field<std::uint8_t>(lattice);
+    const WallBins bins(walls.segments, lattice);
+    open_by_parity(walls);
+    close_thin_walls(bins, walls);
+    close_pockets(walls);
+    fill_halo(walls);
+    find_runs(walls);
+    find_links(bins, walls);
+    measure_distances(bins, walls);
+    return walls;
+}
+
+}  // namespace tt

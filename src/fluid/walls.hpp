@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/vec2.hpp"
+#include "geometry/loops.hpp"
+#include "grid/field.hpp"
+
+namespace tt {
+
+/// Sites [begin, end) of a row, all of them open.
+struct OpenRun {
+    int begin, end;
+};
+
+/// A population that departs from site (i, j) into a wall and comes back along c_direction.
+struct WallLink {
+    int i = 0, j = 0, direction = 0;
+    double q = 0.5;         ///< distance of the wall along the link, 0 … 1
+    int loop = 0;           ///< of the wall
+    bool second = true;     ///< the site behind, x + c, is open as well
+    bool row_wall = false;  ///< x − c lies beyond a wall of the lattice itself
+    Vec2 velocity;          ///< of the wall
+};
+
+/// What had to be done to a drawing to put it on the lattice, and how fine that is.
+struct WallRemarks {
+    int closed = 0;   ///< open sites that were closed, as a wall beside them is thinner than a site
+    int pockets = 0;  ///< open sites that are cut off from the rest, closed
+    int parts = 0;    ///< that are not connected, pockets left aside
+    int single = 0;   ///< links with one open site, where the wall is taken as half-way
+};
+
+/// Walls of any shape on a lattice: which sites are open to the fluid, and the links that the walls
+/// cut. Sites are open or not by the even–odd rule; no link passes through a wall, however thin.
+struct Walls {
+    Lattice lattice;
+    Solid solid;  ///< as drawn, in sites
+    std::vector<WallSegment> segments;
+    Field<std::uint8_t> open;     ///< 1 or 0; the halo too
+    std::vector<int> first_run;   ///< of each row, and the end
+    std::vector<OpenRun> runs;
+    std::vector<WallLink> links;  ///< by loop, then by row and column
+    /// To the nearest wall, those of the lattice included [sites]; negative in the solid; the halo
+    /// too. Between sites to be interpolated.
+    Field<double> distance;
+    WallRemarks remarks;
+
+    bool is_open(int i, int j) const { return open(i, j) != 0; }
+    std::int64_t open_sites() const;
+    /// Distance to the nearest wall, and the direction away from it, at any place. Bilinear between
+    /// sites: exact beside straight walls.
+    double distance_at(Vec2 place) const;
+    Vec2 away_at(Vec2 place) const;
+};
+
+/// Puts `solid` (in sites) on the lattice. Its periods are those of the lattice.
+Walls make_walls(const Solid& solid, const Lattice& lattice);
+
+}  // namespace tt
