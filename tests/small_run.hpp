@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <variant>
@@ -32,6 +33,17 @@ inline Model small_model() {
     model.membrane.area_stiffness = 0.02;
     model.membrane.hold_area = true;
     model.shear_rate = 0.04 / 24;
+    return model;
+}
+
+/// The same with a post between the cells and their periodic images.
+inline Model with_post(Model model) {
+    Solid solid;
+    solid.period_x = model.lattice.nx;
+    if (!model.lattice.walls) solid.period_y = model.lattice.ny;
+    solid.loops = {{{15.6, 8.2}, {19.1, 10.4}, {18.3, 16.9}, {15.2, 14.7}}};
+    model.boundaries.walls = std::make_shared<const Walls>(make_walls(solid, model.lattice));
+    model.contact.walls = model.boundaries.walls;
     return model;
 }
 

@@ -17,15 +17,18 @@ class Frame:
     nodes, node_force, node_velocity: (N, 2); velocity: (ny, nx, 2); pressure, cytoplasm: (ny, nx), row 0 at the bottom.
     `units` has their units by name; `box` is length and width [m]. A frame without fields has no velocity, pressure, cytoplasm.
     Node positions are not wrapped: x counts on when a cell leaves through an end.
+    `walls` are loops of corners (n, 2) [m]; solid is what an odd number of them goes around, and fields are nan there.
+    In a straight channel there are none.
     """
 
-    def __init__(self, group: h5py.Group, first: np.ndarray, box: tuple[float, float]):
+    def __init__(self, group: h5py.Group, first: np.ndarray, box: tuple[float, float], walls: list[np.ndarray]):
         self.number = int(group.name.rpartition("/")[2])
         self.time = float(group.attrs["time"])
         self.step = int(group.attrs["step"])
         self.box = box
         self.units = {name: dataset.attrs.get("unit", "") for name, dataset in group.items()}
         self.__dict__.update({name: dataset[()] for name, dataset in group.items()})
+        self.walls = walls
         self._first = first
 
     def __getattr__(self, name: str) -> np.ndarray:
@@ -91,6 +94,7 @@ class Frames(collections.abc.Sequence):
             with SealedFile(path) as bytes_, h5py.File(bytes_, "r") as file:
                 if not bytes_.sealed:
                     warnings.warn(f"{path} has no checksums: whether its frames are sound is not known", stacklevel=3)
-                return Frame(file["frames"][name], file["first"][()], tuple(map(float, file.attrs["lengths"])))
+                walls = np.split(file["walls"][()], file["wall_first"][1:-1]) if "walls" in file else []
+                return Frame(file["frames"][name], file["first"][()], tuple(map(float, file.attrs["lengths"])), walls)
         except (OSError, KeyError, RuntimeError, ValueError) as error:
             raise OSError(f"frame {int(name)} of {path} is damaged ({error})") from None

@@ -67,13 +67,15 @@ void add_new(CLI::App& app, Action& action) {
         ->type_name(value_kind::name);
     std::vector<OptionWord> words;
     for (const Template& t : templates) words.push_back({std::string(t.name), ""});
-    add_choice(*verb, "--from", options->from, words);
+    add_choice(*verb, "--from", options->from, words)->description("which of these:");
     verb->footer(
         "  channel     twelve cells in a channel 20 um wide, the paper's Case III\n"
         "  shear       one cell tank-treading between walls 40 um apart\n"
         "  relax       a stretched cell that returns to its circle\n"
         "  poiseuille  plasma alone in a channel\n"
-        "  couette     two fluids between sliding walls\n\n"
+        "  couette     two fluids between sliding walls\n"
+        "  stenosis    cells through a channel that narrows from 20 to 8 um\n"
+        "  posts       a cell in an array of posts that sorts by size\n\n"
         "Without --from it is a channel. A file that is there already is never\n"
         "overwritten.");
     verb->callback([options, &action] { action = [options] { return write_case(*options); }; });

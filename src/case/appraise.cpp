@@ -45,7 +45,8 @@ void count_all(const Case& c, const Choice& choice, const State& initial, Apprai
     const double area =
         std::accumulate(cells.reference_area.begin(), cells.reference_area.end(), 0.0);
     const double length = std::accumulate(cells.rest_length.begin(), cells.rest_length.end(), 0.0);
-    a.hematocrit = area / static_cast<double>(a.sites);
+    a.hematocrit = area / (choice.walls ? static_cast<double>(choice.walls->open_sites())
+                                        : static_cast<double>(a.sites));
     a.radius_sites = std::sqrt(area / a.cells / 3.14159265358979323846);
     a.node_distance = length / a.nodes;
     resolve(c, choice, cells, a);
@@ -57,8 +58,13 @@ void measure_start(const Model& model, const Suspension& cells, Appraisal& a) {
     if (a.cells == 0) return;
     a.smallest_gap = smallest_gap(model.lattice, cells, gap_reach);
     a.wall_distance = model.lattice.ny;
-    for (const double y : cells.y)
-        a.wall_distance = std::min({a.wall_distance, y, model.lattice.ny - y});
+    const Walls* const walls = model.boundaries.walls.get();
+    for (int n = 0; n < a.nodes; ++n) {
+        const double y = cells.y[n];
+        const double away = walls ? walls->distance_at(cells.position(n))
+                                  : std::min(y, model.lattice.ny - y);
+        a.wall_distance = std::min(a.wall_distance, away);
+    }
     for (int c = 0; c < a.cells; ++c)
         for (int k = cells.first[c]; k < cells.first[c + 1]; ++k) {
             const int next = k + 1 < cells.first[c + 1] ? k + 1 : cells.first[c];

@@ -273,7 +273,7 @@ struct MorseContact {
 struct ContactCase {
     std::variant<NoContact, MorseContact> model = MorseContact{};
     Nearest nearest = Nearest::segment;
-    bool short_range_repulsion = false;     ///< off by default; counted when on
+    std::optional<bool> short_range_repulsion;  ///< auto: between walls of any shape
     std::optional<Length> repulsion_range;  ///< auto: one site
     Pressure repulsion_strength{1e3};
 

@@ -8,7 +8,9 @@
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "case/channel_flow.hpp"
+#include "base/processors.hpp"
 #include "case/membrane_of.hpp"
+#include "case/walls_of.hpp"
 
 namespace tt {
 namespace {
@@ -65,6 +67,16 @@ Undisturbed choose_flow(const Case& c, Choice& choice) {
         choice.pressure_gradient =
             PressureGradient{12.0 * viscosity * choice.shear_rate.si / width};
         at_walls = 6.0, fastest = 1.5;
+        if (const UndisturbedFlow* plasma = choice.undisturbed.get()) {
+            // U = g G/(μ H), G the conductance; by how many times that is less than of Poiseuille.
+            const double resistance = std::pow(choice.ny, 3) / (12.0 * plasma->conductance);
+            if (flow.channel()->pressure_gradient)
+                choice.shear_rate = Rate{choice.shear_rate.si / resistance};
+            else
+                choice.pressure_gradient =
+                    PressureGradient{choice.pressure_gradient.si * resistance};
+            at_walls = plasma->steepest * choice.ny, fastest = plasma->fastest;
+        }
     }
     const double k = std::abs(choice.shear_rate.si);
     choice.largest_speed = Velocity{fastest * k * width};
@@ -228,10 +240,29 @@ Length fitting_spacing(const Case& c, Length most) {
     return rows > 0 ? Length{width / rows} : most;
 }
 
+/// Walls that are not those of the lattice, and what plasma alone does between them.
+void choose_walls(const Case& c, Choice& choice) {
+    if (c.geometry.straight()) return;
+    constexpr double most = 4e6;
+    expect_sites(c, choice, most, "can be had between walls of any shape");
+    const Lattice lattice{choice.nx, choice.ny, c.domain.sides == Sides::walls};
+    auto walls = std::make_shared<const Walls>(
+        make_walls(scaled(solid_of(c), 1.0 / choice.dx.si), lattice));
+    if (const auto messages = faults_of(*walls, choice.dx.si); !messages.empty()) {
+        std::vector<Fault> faults;
+        for (const std::string& message : messages) faults.push_back({"", 0, 0, message});
+        throw CaseError(std::move(faults));
+    }
+    choice.undisturbed = std::make_shared<const UndisturbedFlow>(
+        undisturbed_flow(*walls, usable_processors()));
+    choice.walls = std::move(walls);
+}
+
 Choice choose(const Case& c) {
     Choice choice;
     choose_grid(c, choice);
     expect_sites(c, choice, most_sites, "are possible");
+    choose_walls(c, choice);
     choice.equilibrium = choose_equilibrium(c);
     choice.delta = choose_delta(c);
     choice.precision = choose_precision(c);

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "case/case.hpp"
 #include "case/step_limits.hpp"
+#include "simulation/undisturbed.hpp"
 
 namespace tt {
 
@@ -30,6 +32,9 @@ struct Choice {
     PressureGradient pressure_gradient;  ///< of the plasma-only estimate 12 μ U / H²
     Pressure area_stiffness;             ///< k_p
     double expected_stretch = 1.0;       ///< largest of a membrane segment
+    /// Walls of any shape and the flow of plasma between them; none of a straight channel.
+    std::shared_ptr<const Walls> walls;
+    std::shared_ptr<const UndisturbedFlow> undisturbed;
     std::vector<StepLimit> limits;  ///< sorted, the tightest first; dt follows the first unless the
                                     ///< case says otherwise
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,7 +52,8 @@ void judge_flow(Judge& judge, const Case& c) {
     if (flow.shear() && !judge.given("flow.shear_rate") && !judge.given("flow.shear_number"))
         judge.tell({"flow.drive"},
                    "drive = \"shear\" needs shear_rate = \"75 /s\" or shear_number = 0.2");
-    if (!std::holds_alternative<NoDrive>(flow.drive) && c.domain.sides == Sides::periodic)
+    const bool posts = !c.geometry.straight();  // something that holds the flow
+    if (!std::holds_alternative<NoDrive>(flow.drive) && c.domain.sides == Sides::periodic && !posts)
         judge.tell(
             {"domain.sides"},
             fmt::format("drive = \"{}\" needs walls; write sides = \"walls\" or drive = \"none\"",
@@ -59,6 +61,26 @@ void judge_flow(Judge& judge, const Case& c) {
     if (judge.given("flow.shear_number") && c.numerics.fluid_only)
         judge.tell({"flow.shear_number"},
                    "shear_number is built on the cells, and there are none; write shear_rate");
+}
+
+/// What is meant for a straight channel only.
+void judge_geometry(Judge& judge, const Case& c) {
+    if (c.geometry.straight()) return;
+    const std::string why = fmt::format("between walls of shape \"{}\"", word_of(c.geometry.shape));
+    judge.forbid("flow.largest_velocity", why + " (write mean_velocity, over the width of the box)");
+    judge.forbid("flow.wall_stress", why + " (write mean_velocity, over the width of the box)");
+    judge.forbid("layer.thickness", why);
+    if (c.flow.shear())
+        judge.tell({"flow.drive"},
+                   "drive = \"shear\" needs a straight channel; write drive = \"pressure\"");
+    if (const auto* posts = std::get_if<PostsShape>(&c.geometry.shape)) {
+        const double turns = posts->row_shift * static_cast<double>(posts->columns);
+        if (c.domain.sides == Sides::periodic && std::fabs(turns - std::round(turns)) > 1e-6)
+            judge.tell({"geometry.row_shift", "geometry.columns"},
+                       fmt::format("row_shift = {} over {} columns does not close on itself at the "
+                                   "ends of the box: their product must be a whole number",
+                                   posts->row_shift, posts->columns));
+    }
 }
 
 void judge_positions_given(Judge& judge, const Case& c, const AtPositions& layout) {
@@ -146,6 +168,7 @@ std::vector<Fault> find_conflicts(const Case& c, const Places& places, const std
     Judge judge(places, file);
     judge_exclusive(judge);
     judge_flow(judge, c);
+    judge_geometry(judge, c);
     judge_cells(judge, c);
     judge_numerics(judge);
     return std::move(judge.faults);

@@ -38,7 +38,7 @@ ContactModel contact_of(const Case& c, const Scales& scales) {
                             hardening_of(c.membrane.hardening).contact};
         contact.range = scales.to_lattice(morse->range.value_or(Length{query_range(*morse)}));
     }
-    if (k.short_range_repulsion) {
+    if (repels(c)) {
         contact.repulsion_range = k.repulsion_range ? scales.to_lattice(*k.repulsion_range) : 1.0;
         contact.repulsion_strength = scales.to_lattice(k.repulsion_strength);
     }
@@ -85,6 +85,9 @@ Model discretise(const Case& c, const Choice& choice) {
         interval_of(m.contact, m.membrane.hardening(expected_cell_stretch(choice.expected_stretch)),
                     m.viscosity.plasma);
     m.shear_rate = m.scales.to_lattice(choice.shear_rate);
+    m.boundaries.walls = m.contact.walls = choice.walls;
+    m.undisturbed = choice.undisturbed;
+    if (m.undisturbed) m.drive.lean = m.undisturbed->lean;
 
     const double gradient = m.scales.to_lattice(choice.pressure_gradient);
     if (c.flow.shear()) {
@@ -93,8 +96,10 @@ Model discretise(const Case& c, const Choice& choice) {
     } else if (const ChannelFlow* channel = c.flow.channel()) {
         m.drive.hold_mean_velocity = channel->hold == Hold::mean_velocity;
         m.drive.target_velocity = m.shear_rate * m.lattice.ny;
-        // A controller acts through the body force; a constant drop acts where the case says.
-        if (std::holds_alternative<PressureDrive>(c.flow.drive) && !m.drive.hold_mean_velocity) {
+        // A controller acts through the body force; a constant drop acts where the case says. Between
+        // walls of any shape a force everywhere is the same flow as a drop at the ends.
+        if (std::holds_alternative<PressureDrive>(c.flow.drive) && !m.drive.hold_mean_velocity &&
+            !choice.walls) {
             m.boundaries.pressure_drop = gradient * m.lattice.nx;
         } else {
             m.drive.body_force = gradient;

@@ -27,14 +27,15 @@ double reach_of(const std::vector<Vec2>& shape) {
 
 }  // namespace
 
-Growth::Growth(const std::vector<Vec2>& shape, int count, const Lattice& box, double gap,
+Growth::Growth(const std::vector<Vec2>& shape, int count, const Room& room, double gap,
                std::uint64_t seed)
     : shape_(at_equal_arc_length(shape, std::min(32, static_cast<int>(shape.size())))),
-      box_(box),
+      box_(room.box),
+      walls_(room.walls),
       gap_(gap),
       random_(seed),
       reach_(reach_of(shape_)),
-      bins_(box, 2.0 * reach_ + gap) {
+      bins_(room.box, 2.0 * reach_ + gap) {
     constexpr int patience = 10'000;  // trials for a place; what then overlaps is pressed apart
     cells_.reserve(count);
     outlines_.reserve(count);
@@ -101,8 +102,10 @@ std::vector<Vec2> Growth::outline_of(const Placement& cell) const {
 
 /// Keeps clear of the walls and of all other cells, and of their periodic images and its own.
 bool Growth::fits(int self, const Placement& cell, const std::vector<Vec2>& outline) const {
-    for (const Vec2 p : outline)
+    for (const Vec2 p : outline) {
+        if (walls_ && walls_->distance_at(p) < 0.5 * gap_) return false;
         if (box_.walls && (p.y < 0.5 * gap_ || p.y > box_.ny - 0.5 * gap_)) return false;
+    }
     if (!clear_of(self, cell, outline, true)) return false;
     return bins_.all_near(cell.centre, [&](int other) {
         return other == self || clear_of(other, cell, outline, false);

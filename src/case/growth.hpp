@@ -16,7 +16,7 @@ namespace tt {
 class Growth {
 public:
     /// Starts `count` small copies of `shape`, a closed outline about the origin.
-    Growth(const std::vector<Vec2>& shape, int count, const Lattice& box, double gap,
+    Growth(const std::vector<Vec2>& shape, int count, const Room& room, double gap,
            std::uint64_t seed);
 
     /// One trial move and turn of every cell; the step adapts so that about half are accepted.
@@ -42,6 +42,7 @@ private:
 
     std::vector<Vec2> shape_;
     Lattice box_;
+    const Walls* walls_;
     double gap_;
     Random random_;
     double scale_ = 0.2;

@@ -73,7 +73,7 @@ void judge_contact(Judge& judge, const MorseContact& contact) {
 void judge_repulsion(Judge& judge, const Case& c) {
     const auto& range = c.contact.repulsion_range;
     const Length radius = equivalent_radius(c);
-    if (!c.contact.short_range_repulsion || !range || *range <= radius) return;
+    if (!repels(c) || !range || *range <= radius) return;
     judge.tell(
         {"contact.repulsion_range"},
         fmt::format("repulsion_range = {} is more than the radius of a cell, {}; write "
@@ -235,6 +235,36 @@ void judge_times(Judge& judge, const Case& c) {
 
 }  // namespace
 
+void judge_walls(Judge& judge, const Case& c) {
+    const DomainCase& box = c.domain;
+    if (const auto* stenosis = std::get_if<StenosisShape>(&c.geometry.shape)) {
+        if (box.sides != Sides::walls)
+            judge.tell({"domain.sides"},
+                       "a stenosis narrows the way between two walls; write sides = \"walls\"");
+        if (stenosis->throat >= box.width)
+            judge.tell({"geometry.throat"},
+                       fmt::format("the throat is {} wide and the channel {}; write throat = \"{}\"",
+                                   to_text(stenosis->throat), to_text(box.width),
+                                   rounded_text(Length{0.5 * box.width.si}, 3)));
+        if (stenosis->throat_length > box.length)
+            judge.tell({"geometry.throat_length"},
+                       fmt::format("the throat is {} long and the channel {}; write a longer "
+                                   "channel, or throat_length = \"{}\"",
+                                   to_text(stenosis->throat_length), to_text(box.length),
+                                   rounded_text(Length{0.5 * box.length.si}, 3)));
+    }
+    if (const auto* posts = std::get_if<PostsShape>(&c.geometry.shape)) {
+        const double nearest = std::min(box.length.si / static_cast<double>(posts->columns),
+                                        box.width.si / static_cast<double>(posts->rows));
+        if (posts->diameter.si >= nearest)
+            judge.tell({"geometry.diameter"},
+                       fmt::format("posts of {} that stand {} apart leave no gap; write diameter = "
+                                   "\"{}\", or fewer columns and rows",
+                                   to_text(posts->diameter), rounded_text(Length{nearest}, 4),
+                                   rounded_text(Length{0.5 * nearest}, 3)));
+    }
+}
+
 std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
                                         const std::string& file) {
     Judge judge(places, file);
@@ -249,6 +279,7 @@ std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
             fmt::format("the layer is {} thick and the box {} wide; write thickness = \"{}\"",
                         to_text(*c.layer.thickness), to_text(c.domain.width),
                         rounded_text(Length{0.5 * c.domain.width.si})));
+    judge_walls(judge, c);
     judge_membrane(judge, c.membrane);
     if (c.contact.morse()) judge_contact(judge, *c.contact.morse());
     judge_rate(judge, c);

@@ -77,7 +77,7 @@ std::vector<Placement> placements(const Case& c, const Model& m, const std::vect
     const auto seed = static_cast<std::uint64_t>(c.cells.seed);
     const auto number = [&](int multiple) {  // as near to the hematocrit as there are whole cells
         if (!c.cells.hematocrit) return static_cast<int>(c.cells.count.value_or(1));
-        const double cells = *c.cells.hematocrit * length * width / area_of(shape);
+        const double cells = *c.cells.hematocrit * m.open_area() / area_of(shape);
         return multiple * std::max(1, static_cast<int>(std::lround(cells / multiple)));
     };
     if (const auto* rows = std::get_if<PaperRows>(&c.cells.layout)) {
@@ -87,7 +87,7 @@ std::vector<Placement> placements(const Case& c, const Model& m, const std::vect
         return cells;
     }
     if (std::holds_alternative<AtRandom>(c.cells.layout))
-        return random_placements(shape, number(1), m.lattice, seed, watch);
+        return random_placements(shape, number(1), {m.lattice, m.boundaries.walls.get()}, seed, watch);
     if (const auto* layout = std::get_if<AtPositions>(&c.cells.layout)) {
         std::vector<Placement> cells;
         for (const auto& p : layout->positions) {
@@ -123,7 +123,20 @@ void move_last_cell_to(const std::vector<Vec2>& points, Suspension& cells) {
 
 void refuse_bad_placements(const Model& m, const Suspension& cells) {
     std::vector<Fault> faults;
-    for (int c = 0; m.lattice.walls && c < cells.cell_count(); ++c) {
+    const Walls* const walls = m.boundaries.walls.get();
+    for (int c = 0; walls && c < cells.cell_count(); ++c) {
+        for (int n = cells.first[c]; n < cells.first[c + 1]; ++n) {
+            if (walls->distance_at(cells.position(n)) > 0.0) continue;
+            faults.push_back(
+                {"", 0, 0,
+                 fmt::format("[cells] cell {} reaches into a wall at ({:.4g}, {:.4g}) um; make it "
+                             "smaller or move it",
+                             c, cells.x[n] * m.scales.length * 1e6,
+                             cells.y[n] * m.scales.length * 1e6)});
+            break;
+        }
+    }
+    for (int c = 0; m.lattice.walls && !walls && c < cells.cell_count(); ++c) {
         for (int n = cells.first[c]; n < cells.first[c + 1]; ++n) {
             if (cells.y[n] > 0.0 && cells.y[n] < m.lattice.ny) continue;
             faults.push_back(
@@ -170,18 +183,25 @@ Suspension suspended_cells(const Case& c, const Model& m, const LayoutWatch& wat
     return cells;
 }
 
-/// The flow without cells: Couette between the walls, or the Poiseuille flow of the nominal rate.
-VectorField<> undisturbed_flow(const Model& m) {
-    VectorField<> velocity(m.lattice);
+/// The flow without cells: Couette between the walls, the Poiseuille flow of the nominal rate, or
+/// what plasma alone does between walls of any shape.
+void add_flow_without_cells(const Model& m, VectorField<>& velocity, Field<>& density) {
     const double height = m.lattice.ny, mean = m.drive.target_velocity;
     for (int j = 0; j < m.lattice.ny; ++j) {
         const double y = j + 0.5;
         const double couette = m.boundaries.bottom_speed +
                                (m.boundaries.top_speed - m.boundaries.bottom_speed) * y / height;
         const double poiseuille = 6.0 * mean * (y / height) * (1.0 - y / height);
-        for (int i = 0; i < m.lattice.nx; ++i) velocity.x(i, j) = couette + poiseuille;
+        for (int i = 0; i < m.lattice.nx; ++i) {
+            if (const UndisturbedFlow* plasma = m.undisturbed.get()) {
+                velocity.x(i, j) = mean * plasma->velocity.x(i, j);
+                velocity.y(i, j) = mean * plasma->velocity.y(i, j);
+                density(i, j) = mean * m.viscosity.plasma * plasma->density(i, j);
+            } else {
+                velocity.x(i, j) = couette + poiseuille;
+            }
+        }
     }
-    return velocity;
 }
 
 /// Before the first step nodes move with the fluid around them: what an observer sees of them then,
@@ -201,8 +221,10 @@ State initial_state(const Case& c, const Model& model, const LayoutWatch& watch)
     state.drive.body_force = model.drive.body_force;
     // Nothing is nearer than the reach of the contact forces; without them gaps are not measured.
     state.contact.smallest_gap = model.contact.range > 0.0 ? model.contact.range : std::nan("");
-    const bool rest = c.flow.start == FluidStart::rest;
-    start_flow(model, rest ? VectorField<>(model.lattice) : undisturbed_flow(model), state);
+    VectorField<> velocity(model.lattice);
+    Field<> density = density_of_drop(model);
+    if (c.flow.start == FluidStart::developed) add_flow_without_cells(model, velocity, density);
+    start_flow(model, velocity, density, state);
     derive(model, state);
     std::visit([&](auto& sites) { let_nodes_follow(sites, state.cells); }, state.sites);
     return state;

@@ -4,8 +4,22 @@
 #include <vector>
 
 #include "base/vec2.hpp"
+#include "fluid/walls.hpp"
+#include "grid/lattice.hpp"
 
 namespace tt {
+
+/// Where cells may be: a box, and the walls of any shape in it.
+struct Room {
+    Lattice box;
+    const Walls* walls = nullptr;
+
+    Room(const Lattice& b, const Walls* w = nullptr) : box(b), walls(w) {}
+    /// Of what is open [sites].
+    double area() const {
+        return walls ? static_cast<double>(walls->open_sites()) : static_cast<double>(box.nx) * box.ny;
+    }
+};
 
 /// Where a cell stands, how it is turned [rad], and how it is bent there.
 struct Placement {

@@ -34,6 +34,10 @@ Membrane membrane_of(const MembraneCase& m, const Scales& scales) {
     return membrane;
 }
 
+bool repels(const Case& c) {
+    return c.contact.short_range_repulsion.value_or(!c.geometry.straight());
+}
+
 bool is_drop(const MembraneCase& m) { return std::holds_alternative<SurfaceTension>(m.law); }
 
 bool tension_is_implicit(const Case& c) {

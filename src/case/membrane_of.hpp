@@ -13,6 +13,10 @@ Hardening hardening_of(const HardeningCase& h);
 /// stiffness is left to who chooses it.
 Membrane membrane_of(const MembraneCase& m, const Scales& scales);
 
+/// Whether very small gaps repel: where the case says so, and between walls of any shape, where
+/// cells come to rest on corners.
+bool repels(const Case& c);
+
 /// Whether the cells are drops: nothing holds their nodes apart.
 bool is_drop(const MembraneCase& m);
 

@@ -63,8 +63,9 @@ double largest_distance(const std::vector<Vec2>& fine, const std::vector<Vec2>& 
 
 }  // namespace
 
-Pressing::Pressing(const std::vector<Vec2>& shape, const Lattice& box, double gap)
-    : box_(box),
+Pressing::Pressing(const std::vector<Vec2>& shape, const Room& room, double gap)
+    : box_(room.box),
+      walls_(room.walls),
       shape_(coarse(shape)),
       area_(area_of(shape_)),
       thickness_(2.0 * area_ / perimeter_of(shape_)),
@@ -170,7 +171,7 @@ double Pressing::visit(int c) {
         find_pushes(c, other.cell, other.shift);
         yield(c, forth);
     }
-    if (box_.walls) {
+    if (box_.walls || walls_) {
         find_wall_pushes(c);
         yield(c, 1.0);
     }
@@ -219,6 +220,12 @@ void Pressing::find_wall_pushes(int cell) {
     const double reach = gap_ + bulge_;
     const Edges mine = edges_of(cell);
     for (int k = 0; k < points_; ++k) {
+        if (walls_) {
+            const Vec2 here{mine.x[k], mine.y[k]};
+            const double short_of = reach - walls_->distance_at(here);
+            if (short_of > 0.0) pushes_.push_back({k, 0.0, short_of * walls_->away_at(here)});
+            continue;
+        }
         if (mine.y[k] < reach) pushes_.push_back({k, 0.0, {0.0, reach - mine.y[k]}});
         if (mine.y[k] > box_.ny - reach)
             pushes_.push_back({k, 0.0, {0.0, box_.ny - reach - mine.y[k]}});

@@ -24,7 +24,7 @@ class Pressing {
 public:
     /// `shape`: closed, about the origin, nodes at equal arc length. `gap`: to be left between two
     /// membranes and to the walls, of which at least half is reached.
-    Pressing(const std::vector<Vec2>& shape, const Lattice& box, double gap);
+    Pressing(const std::vector<Vec2>& shape, const Room& room, double gap);
 
     /// One more cell.
     void add(Vec2 centre, double angle);
@@ -72,6 +72,7 @@ private:
     bool grow_from(double scale, const Watch& watch);
 
     Lattice box_;
+    const Walls* walls_;
     int points_;
     std::vector<Vec2> shape_;
     double area_, gyration2_ = 0.0, reach_ = 0.0, thickness_;

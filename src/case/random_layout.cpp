@@ -39,12 +39,12 @@ double gap_of(const std::vector<Vec2>& shape) {
 
 }  // namespace
 
-RandomLayout lay_at_random(const std::vector<Vec2>& shape, int count, const Lattice& box,
+RandomLayout lay_at_random(const std::vector<Vec2>& shape, int count, const Room& room,
                            std::uint64_t seed, const LayoutWatch& watch) {
-    Growth growth(shape, count, box, widest_gap, seed);
+    Growth growth(shape, count, room, widest_gap, seed);
     wander(growth, count, watch);
     if (growth.scale() >= 1.0) return {growth.cells()};
-    Pressing pressing(shape, box, gap_of(shape));
+    Pressing pressing(shape, room, gap_of(shape));
     for (const Placement& cell : growth.cells()) pressing.add(cell.centre, cell.angle);
     const double scale = pressing.press(growth.scale(), [&](double filled) {
         if (watch) watch(count, filled);
@@ -53,16 +53,16 @@ RandomLayout lay_at_random(const std::vector<Vec2>& shape, int count, const Latt
 }
 
 std::vector<Placement> random_placements(const std::vector<Vec2>& shape, int count,
-                                         const Lattice& box, std::uint64_t seed,
+                                         const Room& room, std::uint64_t seed,
                                          const LayoutWatch& watch) {
-    RandomLayout layout = lay_at_random(shape, count, box, seed, watch);
+    RandomLayout layout = lay_at_random(shape, count, room, seed, watch);
     if (layout.scale >= 1.0) return std::move(layout.cells);
     int fewer = count;
     while (layout.scale < 1.0 && fewer > 1) {
         fewer = std::clamp(static_cast<int>(fewer * layout.scale * layout.scale), 1, fewer - 1);
-        layout = lay_at_random(shape, fewer, box, seed, watch);
+        layout = lay_at_random(shape, fewer, room, seed, watch);
     }
-    const double one = 100.0 * area_of(shape) / (static_cast<double>(box.nx) * box.ny);
+    const double one = 100.0 * area_of(shape) / room.area();
     if (layout.scale < 1.0)
         throw CaseError({{"", 0, 0,
                           "[cells] layout = \"random\": not one cell fits into the box; make it "

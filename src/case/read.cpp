@@ -16,6 +16,7 @@
 #include "case/run_name.hpp"
 #include "case/schema.hpp"
 #include "case/validate.hpp"
+#include "case/walls_of.hpp"
 #include "io/file.hpp"
 #include "io/toml.hpp"
 
@@ -137,6 +138,24 @@ std::vector<Fault> read_shape_file(Case& c, const Places& places) {
     return {};
 }
 
+/// The loops that `geometry.file` names, into the case. Returns what is wrong with them.
+std::vector<Fault> read_wall_file(Case& c, const Places& places) {
+    auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape);
+    if (!drawn || drawn->file.empty()) return {};
+    try {
+        const std::filesystem::path path = drawn->file;
+        drawn->bytes = read_file(path, Author::user);
+        drawn->loops = read_loops(drawn->bytes, shown(path), drawn->unit.value_or(Length{1e-6}).si);
+    } catch (const CaseError& error) {
+        return error.faults();
+    } catch (const IoError& error) {
+        Fault fault = places.at("geometry.file");
+        fault.message = fmt::format("{}; file names the loops of walls", error.what());
+        return {fault};
+    }
+    return {};
+}
+
 }  // namespace
 
 std::string origin_of(const std::string& item) { return "--set " + readable(item); }
@@ -155,9 +174,16 @@ Case parse_case(std::string_view text, const std::string& name,
         if (auto* shape = std::get_if<OutlineShape>(&result.cells.shape);
             shape && !shape->file.empty())
             shape->file = (directory / shape->file).lexically_normal().string();
+        if (auto* drawn = std::get_if<DrawnShape>(&result.geometry.shape);
+            drawn && !drawn->file.empty())
+            drawn->file = (directory / drawn->file).lexically_normal().string();
         const bool read = reader.faults.empty();
         std::vector<Fault> outline_faults;
-        if (read && !directory.empty()) outline_faults = read_shape_file(result, reader.places);
+        if (read && !directory.empty()) {
+            outline_faults = read_shape_file(result, reader.places);
+            for (Fault& fault : read_wall_file(result, reader.places))
+                outline_faults.push_back(std::move(fault));
+        }
         // Where a line could not be read as TOML, a key may only seem to be missing.
         if (!whole)
             reader.faults.erase(std::remove_if(reader.faults.begin(), reader.faults.end(),

@@ -23,17 +23,23 @@ std::string line(std::string_view key, double value) {
 }  // namespace
 
 Case named_by_content(Case c) {
+    const auto name = [](const std::string& bytes) { return "content " + hexadecimal(checksum(bytes)); };
     if (const CellOutline* outline = c.cells.outline())
-        std::get<OutlineShape>(c.cells.shape).file =
-            "content " + hexadecimal(checksum(outline->bytes));
+        std::get<OutlineShape>(c.cells.shape).file = name(outline->bytes);
+    if (auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape)) drawn->file = name(drawn->bytes);
     return c;
 }
 
 std::vector<InputFile> inputs_of(const Case& c) {
-    const CellOutline* outline = c.cells.outline();
-    if (!outline) return {};
-    const std::filesystem::path file = outline->file;
-    return {{"inputs/" + file.filename().string(), outline->bytes}};
+    std::vector<InputFile> inputs;
+    const auto add = [&](const std::string& file, const std::string& bytes) {
+        std::string name = std::filesystem::path(file).filename().string();
+        if (!inputs.empty() && inputs.front().name == "inputs/" + name) name = "walls-" + name;
+        inputs.push_back({"inputs/" + name, bytes});
+    };
+    if (const CellOutline* outline = c.cells.outline()) add(outline->file, outline->bytes);
+    if (const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape)) add(drawn->file, drawn->bytes);
+    return inputs;
 }
 
 std::string resolved_toml(const Case& c, const Choice& choice, const Model& model) {
@@ -41,6 +47,8 @@ std::string resolved_toml(const Case& c, const Choice& choice, const Model& mode
     Case standing_alone = c;
     if (c.cells.outline())
         std::get<OutlineShape>(standing_alone.cells.shape).file = inputs_of(c).front().name;
+    if (auto* drawn = std::get_if<DrawnShape>(&standing_alone.geometry.shape))
+        drawn->file = inputs_of(c).back().name;
     std::string text = to_toml(standing_alone);
     text += fmt::format("\n# What follows from these.{:<28}{}\n", "", "in lattice units");
     text += fmt::format("# {:<24} {} x {} sites\n", "lattice", choice.nx, choice.ny);

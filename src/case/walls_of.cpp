@@ -108,23 +108,24 @@ std::vector<Loop> read_loops(std::string_view text, const std::string& name, dou
 }
 
 double narrowest_gap(const Walls& walls) {
-    // On the ridge between two walls the distance is half of the gap; away from it, it falls.
+    // In the middle between two walls the distance is largest and its slope, by the sites around,
+    // small; in a corner it is not. Of a roof with slope 1 the gap is the sum at two neighbours, one
+    // on either side of the ridge, and 1.
+    constexpr double slightest = 0.6;  // 0.5 where the ridge lies between two sites, 0.7 in a right angle
     double least = HUGE_VAL;
-    const Lattice& lattice = walls.lattice;
-    for (int j = 0; j < lattice.ny; ++j)
-        for (int i = 0; i < lattice.nx; ++i) {
+    const Field<double>& d = walls.distance;
+    for (int j = 0; j < walls.lattice.ny; ++j)
+        for (int i = 0; i < walls.lattice.nx; ++i) {
             if (!walls.is_open(i, j)) continue;
-            const double here = walls.distance(i, j);
-            const auto between = [&](int di, int dj) {
-                return here >= walls.distance(i - di, j - dj) &&
-                       here >= walls.distance(i + di, j + dj) &&
-                       // Steep on both sides: two walls, not the end of one.
-                       2.0 * here - walls.distance(i - 2 * di, j - 2 * dj) -
-                               walls.distance(i + 2 * di, j + 2 * dj) >
-                           2.0 * std::hypot(di, dj);
+            const Vec2 slope{0.5 * (d(i + 1, j) - d(i - 1, j)), 0.5 * (d(i, j + 1) - d(i, j - 1))};
+            const auto ridge = [&](int di, int dj) {
+                return d(i, j) >= d(i + di, j + dj) && d(i, j) >= d(i - di, j - dj);
             };
-            if (between(1, 0) || between(0, 1) || between(1, 1) || between(1, -1))
-                least = std::min(least, 2.0 * here);
+            if (norm(slope) >= slightest || !(ridge(1, 0) || ridge(0, 1))) continue;
+            const bool upright = d(i, j + 1) + d(i, j - 1) < d(i + 1, j) + d(i - 1, j);
+            const double there = upright ? std::max(d(i, j + 1), d(i, j - 1))
+                                         : std::max(d(i + 1, j), d(i - 1, j));
+            least = std::min(least, d(i, j) + there + 1.0);
         }
     return least;
 }

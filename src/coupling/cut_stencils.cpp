@@ -98,8 +98,9 @@ CutStencil<Real> cut_stencil(const Walls& walls, const Stencils<Real>& stencils,
             block.weight[n] =
                 double{stencils.wx[width * node + k]} * double{stencils.wy[width * node + l]};
     }
-    make_one_sided(block);
     CutStencil<Real> cut{node, i, j, {}, {}, {}};
+    cut.whole = std::clamp(2.0 * block.sum([](int) { return 1.0; }) - 1.0, 0.0, 1.0);
+    make_one_sided(block);
     for (int n = 0; n < block.count; ++n) cut.weight[n] = static_cast<Real>(block.weight[n]);
     set_slopes(block, cut);
     return cut;
@@ -150,9 +151,9 @@ void spread_cut(Order order, const CutStencils<Real>& cut, const Suspension& cel
 }
 
 template <class Real>
-void interpolate_cut(Order order, const CutStencils<Real>& cut, const VectorField<Real>& velocity,
+void interpolate_cut(Order order, CutStencils<Real>& cut, const VectorField<Real>& velocity,
                      Suspension& cells, int cell) {
-    for (const CutStencil<Real>& c : cut.of_cell[cell]) {
+    for (CutStencil<Real>& c : cut.of_cell[cell]) {
         double ux = 0.0, uy = 0.0, xx = 0.0, xy = 0.0;
         for (int l = 0; l < cut.points; ++l) {
             const Real* const x = velocity.x.row(c.j + l) + c.i;
@@ -166,11 +167,30 @@ void interpolate_cut(Order order, const CutStencils<Real>& cut, const VectorFiel
                 xy += c.slope_x[s] * vy + c.slope_y[s] * vx;
             }
         }
+        c.sampled = {ux, uy};
         cells.ux[c.node] = ux;
         cells.uy[c.node] = uy;
         if (order == Order::zeroth) continue;
         cells.rate_xx[c.node] = xx;
         cells.rate_xy[c.node] = xy;
+    }
+}
+
+template <class Real>
+void weaken_dipoles(const CutStencils<Real>& cut, Suspension& cells) {
+    const auto [begin, end] = own_cells(cells);
+    for (int cell = begin; cell < end; ++cell)
+        for (const CutStencil<Real>& c : cut.of_cell[cell]) {
+            cells.dipole_xx[c.node] *= c.whole;
+            cells.dipole_xy[c.node] *= c.whole;
+        }
+}
+
+template <class Real>
+void weaken_corrections(const CutStencils<Real>& cut, Suspension& cells, int cell) {
+    for (const CutStencil<Real>& c : cut.of_cell[cell]) {
+        cells.ux[c.node] = c.sampled.x + c.whole * (cells.ux[c.node] - c.sampled.x);
+        cells.uy[c.node] = c.sampled.y + c.whole * (cells.uy[c.node] - c.sampled.y);
     }
 }
 
@@ -180,9 +200,14 @@ template void cut_at_walls(const Walls&, const Suspension&, Stencils<float>&, Cu
 template void spread_cut(Order, const CutStencils<double>&, const Suspension&,
                          VectorField<double>&);
 template void spread_cut(Order, const CutStencils<float>&, const Suspension&, VectorField<float>&);
-template void interpolate_cut(Order, const CutStencils<double>&, const VectorField<double>&,
+template void interpolate_cut(Order, CutStencils<double>&, const VectorField<double>&,
                               Suspension&, int);
-template void interpolate_cut(Order, const CutStencils<float>&, const VectorField<float>&,
+template void interpolate_cut(Order, CutStencils<float>&, const VectorField<float>&,
                               Suspension&, int);
+
+template void weaken_dipoles(const CutStencils<double>&, Suspension&);
+template void weaken_dipoles(const CutStencils<float>&, Suspension&);
+template void weaken_corrections(const CutStencils<double>&, Suspension&, int);
+template void weaken_corrections(const CutStencils<float>&, Suspension&, int);
 
 }  // namespace tt

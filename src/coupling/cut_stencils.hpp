@@ -15,6 +15,8 @@ template <class Real>
 struct CutStencil {
     std::int32_t node, i, j;
     std::array<Real, 16> weight, slope_x, slope_y;
+    double whole = 1.0;  ///< share of the jump correction that is right: 1 of an uncut kernel
+    Vec2 sampled;        ///< velocity, uncorrected
 };
 
 /// The nodes beside walls of any shape, by cell.
@@ -39,7 +41,17 @@ template <class Real>
 void spread_cut(Order order, const CutStencils<Real>& cut, const Suspension& cells,
                 VectorField<Real>& force);
 template <class Real>
-void interpolate_cut(Order order, const CutStencils<Real>& cut, const VectorField<Real>& velocity,
+void interpolate_cut(Order order, CutStencils<Real>& cut, const VectorField<Real>& velocity,
                      Suspension& cells, int cell);
+
+/// The constants of the jump correction (coupling/jump.hpp) are those of a whole kernel. A cut one
+/// answers its own load less, and the whole correction would push nodes the wrong way round: they
+/// blow up. So dipoles and corrections of velocity are taken times 2 s − 1, s the share of the
+/// kernel's weight that is left, and not at all below one half. The first after `set_dipoles`, a
+/// team function by cells; the second after `correct_velocities`.
+template <class Real>
+void weaken_dipoles(const CutStencils<Real>& cut, Suspension& cells);
+template <class Real>
+void weaken_corrections(const CutStencils<Real>& cut, Suspension& cells, int cell);
 
 }  // namespace tt

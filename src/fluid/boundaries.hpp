@@ -13,7 +13,7 @@ struct Boundaries {
     double bottom_speed = 0.0;   ///< x velocity of the wall at y = 0
     double top_speed = 0.0;      ///< x velocity of the wall at y = ny
     double pressure_drop = 0.0;  ///< p(inlet) − p(outlet) between the periodic ends
-    std::shared_ptr<const Walls> walls;  ///< of any other shape; none: a straight channel
+    std::shared_ptr<const Walls> walls = {};  ///< of any other shape; none: a straight channel
 };
 
 /// What the edges of the box add to the populations that just departed from row j, before the phase

@@ -28,10 +28,8 @@ std::vector<double> density_deviations(const Populations<Real>& populations, int
 
 template <class Real>
 void set_equilibrium(const Equilibrium& equilibrium, const VectorField<>& velocity,
-                     double pressure_drop, Populations<Real>& populations) {
+                     const Field<>& density, Populations<Real>& populations) {
     const Lattice& lattice = populations.lattice();
-    const double density_drop = pressure_drop / d2q9::sound_speed_squared;
-    const auto deviation = [&](int i) { return (0.5 - (i + 0.5) / lattice.nx) * density_drop; };
     populations.phase = Phase::even;
     std::visit(
         [&](auto kind) {
@@ -39,7 +37,7 @@ void set_equilibrium(const Equilibrium& equilibrium, const VectorField<>& veloci
                 for (int j = 0; j < lattice.ny; ++j) {
                     for (int i = 0; i < lattice.nx; ++i) {
                         populations.set_slot(k, i, j,
-                                             population(kind, k, deviation(i), velocity(i, j)));
+                                             population(kind, k, density(i, j), velocity(i, j)));
                     }
                 }
             }
@@ -51,9 +49,9 @@ template Moments moments(const Populations<double>&, int, int);
 template Moments moments(const Populations<float>&, int, int);
 template std::vector<double> density_deviations(const Populations<double>&, int);
 template std::vector<double> density_deviations(const Populations<float>&, int);
-template void set_equilibrium(const Equilibrium&, const VectorField<>&, double,
+template void set_equilibrium(const Equilibrium&, const VectorField<>&, const Field<>&,
                               Populations<double>&);
-template void set_equilibrium(const Equilibrium&, const VectorField<>&, double,
+template void set_equilibrium(const Equilibrium&, const VectorField<>&, const Field<>&,
                               Populations<float>&);
 
 }  // namespace tt

@@ -25,11 +25,10 @@ Moments moments(const Populations<Real>& populations, int i, int j);
 template <class Real>
 std::vector<double> density_deviations(const Populations<Real>& populations, int j);
 
-/// Sets every site to the equilibrium of the given velocity (zero: at rest) and of a density that
-/// falls evenly along x by that of `pressure_drop`, 1 in the middle: with the drop between the ends
-/// all in one place a wave of pressure would run through the channel. Phase even. Serial.
+/// Sets every site to the equilibrium of the given velocity (zero: at rest) and density deviation.
+/// Phase even. Serial.
 template <class Real>
 void set_equilibrium(const Equilibrium& equilibrium, const VectorField<>& velocity,
-                     double pressure_drop, Populations<Real>& populations);
+                     const Field<>& density, Populations<Real>& populations);
 
 }  // namespace tt

@@ -39,6 +39,22 @@ void open_by_parity(Walls& walls) {
     }
 }
 
+/// Does a wall pass between two neighbours?
+bool parted(const WallBins& bins, int i, int j, int x, int y) {
+    return bins.first_meeting(Lattice::position(i, j), Lattice::position(x, y)).has_value();
+}
+
+/// Whether two neighbours on a diagonal with a wall between them are neighbours of an open third
+/// without one: then it is the tip of a corner that they see each other through, and fluid goes
+/// round it anyway.
+bool around_a_tip(const WallBins& bins, const Walls& walls, int i, int j, int dx, int dy) {
+    const auto joined = [&](int x, int y) {
+        return is_open_at(walls, x, y) && !parted(bins, i, j, x, y) &&
+               !parted(bins, x, y, i + dx, j + dy);
+    };
+    return dx != 0 && dy != 0 && (joined(i + dx, j) || joined(i, j + dy));
+}
+
 /// Of two open sites with a wall between them the one nearer to it is closed.
 void close_thin_walls(const WallBins& bins, Walls& walls) {
     for_each_site(walls.lattice, [&](int i, int j) {
@@ -46,7 +62,10 @@ void close_thin_walls(const WallBins& bins, Walls& walls) {
             if (!walls.is_open(i, j)) return;
             int x = i + d2q9::cx[k], y = j + d2q9::cy[k];
             const auto hit = bins.first_meeting(Lattice::position(i, j), Lattice::position(x, y));
-            if (!hit || !bring_home(walls.lattice, x, y) || !walls.is_open(x, y)) continue;
+            if (!hit || !is_open_at(walls, x, y) ||
+                around_a_tip(bins, walls, i, j, d2q9::cx[k], d2q9::cy[k]))
+                continue;
+            bring_home(walls.lattice, x, y);
             (hit->share <= 0.5 ? walls.open(i, j) : walls.open(x, y)) = 0;
             ++walls.remarks.closed;
         }

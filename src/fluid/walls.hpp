@@ -33,7 +33,9 @@ struct WallRemarks {
 };
 
 /// Walls of any shape on a lattice: which sites are open to the fluid, and the links that the walls
-/// cut. Sites are open or not by the even–odd rule; no link passes through a wall, however thin.
+/// cut. Sites are open or not by the even–odd rule. Nothing passes through a wall, however thin: where
+/// one stands between two open neighbours the nearer of them is closed, but for the tip of a corner
+/// between two neighbours on a diagonal that fluid goes round.
 struct Walls {
     Lattice lattice;
     Solid solid;  ///< as drawn, in sites

@@ -59,6 +59,22 @@ Solid scaled(Solid solid, double factor) {
     return solid;
 }
 
+std::vector<Loop> solid_loops(const Solid& solid, double width, double height) {
+    std::vector<Loop> loops;
+    if (solid.outside) loops.push_back({{0, 0}, {width, 0}, {width, height}, {0, height}});
+    for (const Loop& loop : solid.loops) {
+        const auto [low, high] = extent(loop);
+        const auto [x0, x1] = shifts(low.x, high.x, 0.0, width, solid.period_x);
+        const auto [y0, y1] = shifts(low.y, high.y, 0.0, height, solid.period_y);
+        for (int n = x0; n <= x1; ++n)
+            for (int m = y0; m <= y1; ++m) {
+                loops.push_back(loop);
+                for (Vec2& p : loops.back()) p += Vec2{n * solid.period_x, m * solid.period_y};
+            }
+    }
+    return loops;
+}
+
 std::vector<WallSegment> segments_near(const Solid& solid, double width, double height,
                                        double reach) {
     std::vector<WallSegment> segments;

@@ -26,6 +26,10 @@ struct Solid {
 /// The same in another unit, `factor` times as large in numbers.
 Solid scaled(Solid solid, double factor);
 
+/// The loops of what is solid in the box [0, width] × [0, height], those of periodic images that
+/// reach into it too: by the even–odd rule, with the box itself as one where fluid is inside.
+std::vector<Loop> solid_loops(const Solid& solid, double width, double height);
+
 /// One straight piece of a loop, in an image that reaches into the box it was made for.
 struct WallSegment {
     Vec2 from, to;

@@ -24,6 +24,11 @@ void examine(const FramesHeader& header) {
                        std::is_sorted(first.begin(), first.end()) &&
                        (header.rest_length.empty() ||
                         header.rest_length.size() == static_cast<std::size_t>(first.back()));
+    const auto& wall = header.wall_first;
+    const bool walls_sound =
+        wall.empty() || (wall.front() == 0 && std::is_sorted(wall.begin(), wall.end()) &&
+                         header.walls.size() == 2 * static_cast<std::size_t>(wall.back()));
+    hdf5::expect(walls_sound, "make sense of", "the walls of the frames");
     hdf5::expect(sound, "make sense of", "the header of the frames");
 }
 
@@ -54,6 +59,10 @@ void write_header(hid_t file, const FramesHeader& header, Kind kind) {
     hdf5::write_attribute(file, "merged", static_cast<std::int64_t>(kind));
     hdf5::write_dataset(file, "first", header.first);
     hdf5::write_dataset(file, "rest_length", {header.rest_length.size()}, header.rest_length, "m");
+    if (!header.wall_first.empty()) {
+        hdf5::write_dataset(file, "walls", {header.walls.size() / 2, 2}, header.walls, "m");
+        hdf5::write_dataset(file, "wall_first", header.wall_first);
+    }
     hdf5::create_group(file, "frames");
 }
 
@@ -71,6 +80,10 @@ FramesHeader read_header(hid_t file) {
     header.first = hdf5::read_dataset<std::int32_t>(file, "first").values;
     if (hdf5::exists(file, "rest_length"))
         header.rest_length = hdf5::read_dataset<double>(file, "rest_length").values;
+    if (hdf5::exists(file, "wall_first")) {
+        header.walls = hdf5::read_dataset<double>(file, "walls").values;
+        header.wall_first = hdf5::read_dataset<std::int32_t>(file, "wall_first").values;
+    }
     examine(header);
     return header;
 }

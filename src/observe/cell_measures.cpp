@@ -41,7 +41,12 @@ void measure_place(const Model& model, const State& state, int cell, const AreaM
     m.velocity = scales.to_si<Velocity>(velocity.x);
     m.phase_rate = scales.to_si<Rate>(turning_rate(shape, ux, uy, centroid, velocity));
     m.wall_distance.si = std::numeric_limits<double>::quiet_NaN();
-    if (model.lattice.walls) {
+    if (const Walls* walls = model.boundaries.walls.get()) {
+        double nearest = HUGE_VAL;
+        for (int k = 0; k < shape.size(); ++k)
+            nearest = std::min(nearest, walls->distance_at(shape[k]));
+        m.wall_distance = scales.to_si<Length>(nearest);
+    } else if (model.lattice.walls) {
         const auto [low, high] = std::minmax_element(shape.y.begin(), shape.y.end());
         m.wall_distance = scales.to_si<Length>(std::min(*low, model.lattice.ny - *high));
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 #include <fmt/format.h>
@@ -31,13 +32,16 @@ void add_flow(const Model& model, const Sites<Real>& sites, Frame& frame) {
     const double pressure =
         scales.unit(Pressure::dimension) * d2q9::sound_speed_squared;  // p = c_s² δρ
     const std::size_t count = static_cast<std::size_t>(lattice.nx) * lattice.ny;
-    frame.velocity.resize(2 * count);
-    frame.pressure.resize(count);
+    constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+    const Walls* const walls = model.boundaries.walls.get();
+    frame.velocity.resize(2 * count, nothing);
+    frame.pressure.resize(count, nothing);
     for (int j = 0; j < lattice.ny; ++j) {
         const std::vector<double> density_deviation = density_deviations(sites.populations, j);
         const Real *const ux = sites.velocity.x.row(j), *const uy = sites.velocity.y.row(j);
         const std::size_t row = static_cast<std::size_t>(j) * lattice.nx;
         for (int i = 0; i < lattice.nx; ++i) {
+            if (walls && !walls->is_open(i, j)) continue;  // not a number
             frame.velocity[2 * (row + i)] = static_cast<float>(ux[i] * speed);
             frame.velocity[2 * (row + i) + 1] = static_cast<float>(uy[i] * speed);
             frame.pressure[row + i] = static_cast<float>(density_deviation[i] * pressure);
@@ -89,6 +93,16 @@ FramesHeader frames_header(const Model& model, const State& state, const std::st
     header.nx = model.lattice.nx;
     header.ny = model.lattice.ny;
     header.first = state.cells.first;
+    if (const Walls* walls = model.boundaries.walls.get()) {
+        header.wall_first = {0};
+        for (const Loop& loop : solid_loops(walls->solid, header.nx, header.ny)) {
+            for (const Vec2 p : loop)
+                for (const double coordinate : {p.x, p.y})
+                    header.walls.push_back(coordinate * model.scales.length);
+            header.wall_first.push_back(header.wall_first.back() +
+                                        static_cast<std::int32_t>(loop.size()));
+        }
+    }
     for (const double length : state.cells.rest_length)
         header.rest_length.push_back(length * model.scales.length);
     return header;

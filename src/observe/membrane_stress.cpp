@@ -16,7 +16,11 @@ constexpr double first_distance = 3.0;
 constexpr double second_distance = 5.0;
 
 /// Whether all sites that FlowView::at reads are plasma, undisturbed by other cells.
-bool can_sample(const Lattice& lattice, const PlasmaMap& plasma, Vec2 position, int cell) {
+bool can_sample(const Model& model, const PlasmaMap& plasma, Vec2 position, int cell) {
+    const Lattice& lattice = model.lattice;
+    const Walls* const walls = model.boundaries.walls.get();
+    constexpr double reach = 2.2;  // of the farthest of them
+    if (walls && walls->distance_at(position) < reach) return false;
     if (lattice.walls && (position.y < 0.5 || position.y > lattice.ny - 0.5)) return false;
     return plasma.clear_around(static_cast<int>(std::floor(position.x - 0.5)),
                                static_cast<int>(std::floor(position.y - 0.5)), cell);
@@ -36,7 +40,7 @@ MembraneStress stress_on(const Outline& shape, const Model& model, const Sites<R
     const auto shear_rate = [&](int node, double distance) -> std::optional<double> {
         const Vec2 n = outward_normal(shape, node);
         const Vec2 position = shape[node] + distance * n;
-        if (!can_sample(lattice, plasma, position, cell)) return std::nullopt;
+        if (!can_sample(model, plasma, position, cell)) return std::nullopt;
         return tangential_shear_rate(flow.at(position), n);
     };
     double traction = -1.0, principal = 0.0;

@@ -48,7 +48,10 @@ void measure_flow(const Model& model, const State& state, RunMeasures& m) {
     m.pseudo_shear_rate = scales.to_si<Rate>(q / (width * width));
     m.pressure_gradient = scales.to_si<PressureGradient>(gradient);
     double viscosity = undefined;
-    if (model.lattice.walls) {
+    if (model.boundaries.walls) {
+        m.wall_shear_stress.si = m.balance_shear_stress.si = undefined;
+        if (gradient != 0.0 && q != 0.0) viscosity = gradient * model.conductance() / q;
+    } else if (model.lattice.walls) {
         const double stress = wall_shear_stress(model, state);
         m.wall_shear_stress = scales.to_si<Pressure>(stress);
         m.balance_shear_stress = scales.to_si<Pressure>(balance_shear_stress(model, state));
@@ -88,7 +91,9 @@ double largest_speed(const VectorField<Real>& velocity) {
 template <class Real>
 double flux_of(const Model& model, const VectorField<Real>& velocity) {
     double sum = sum_over_sites(velocity.x);
-    if (model.lattice.walls) {
+    if (const Walls* walls = model.boundaries.walls.get()) {
+        sum += flow_beside_walls(*walls, velocity.x);
+    } else if (model.lattice.walls) {
         const FlowView flow(velocity, model.boundaries);
         for (int i = 0; i < model.lattice.nx; ++i) {
             sum += (flow.at_top_wall(i) - flow.at_bottom_wall(i)) / 24.0;
@@ -120,7 +125,8 @@ void measure_hematocrit(const Model& model, std::span<const CellMeasures> cells,
         carried += c.area.si * c.velocity.si;
     }
     const double length = model.lattice.nx * model.scales.length;
-    m.hematocrit_tube = area / (length * model.lattice.ny * model.scales.length);
+    const double site = model.scales.length * model.scales.length;
+    m.hematocrit_tube = area / (model.open_area() * site);
     // A mean of round-off, as in fluid at rest, carries nothing.
     const double round_off = 1e-9 * model.scales.to_si<Velocity>(fastest).si;
     const bool carries = !walls_drive(model) && std::abs(m.mean_velocity.si) > round_off;
@@ -180,9 +186,11 @@ void measure_layers(const Model& model, const State& state, RunMeasures& m) {
     };
     const Lattice& lattice = model.lattice;
     std::vector<double> hematocrit;  // left empty, hence undefined layers, where there are no walls
-    if (lattice.walls) hematocrit = hematocrit_profile(lattice, state.cells);
-    set(cfl_gap(lattice, state.cells), m.cfl_gap_bottom, m.cfl_gap_top, m.cfl_gap);
-    set(cfl_envelope(lattice, state.cells), m.cfl_envelope_bottom, m.cfl_envelope_top,
+    const bool straight = !model.boundaries.walls;
+    if (lattice.walls && straight) hematocrit = hematocrit_profile(lattice, state.cells);
+    const Lattice between{lattice.nx, lattice.ny, lattice.walls && straight};
+    set(cfl_gap(between, state.cells), m.cfl_gap_bottom, m.cfl_gap_top, m.cfl_gap);
+    set(cfl_envelope(between, state.cells), m.cfl_envelope_bottom, m.cfl_envelope_top,
         m.cfl_envelope);
     set(cfl_profile(hematocrit), m.cfl_profile_bottom, m.cfl_profile_top, m.cfl_profile);
     set(cfl_core(hematocrit), m.cfl_core_bottom, m.cfl_core_top, m.cfl_core);
@@ -191,7 +199,7 @@ void measure_layers(const Model& model, const State& state, RunMeasures& m) {
 }  // namespace
 
 Length mirror_height(const Model& model) {
-    const bool channel = model.lattice.walls && !walls_drive(model);
+    const bool channel = model.lattice.walls && !model.boundaries.walls && !walls_drive(model);
     return model.scales.to_si<Length>(channel ? 0.5 * model.lattice.ny : undefined);
 }
 

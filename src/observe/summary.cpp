@@ -59,7 +59,7 @@ std::string reason_for(std::string_view name, bool rows, bool cells) {
     if (!cells) return "there are no cells";
     if (name == period)
         return "no cell turned its membrane by a fiftieth of a turn at an inclination that it kept";
-    if (starts("cfl_")) return "there are no walls";
+    if (starts("cfl_")) return "there are no straight walls along the flow";
     if (name == "hematocrit_discharge") return "no mean flow carries the cells";
     if (name == "smallest_gap") return "no two cells were within the reach of contact forces";
     if (name == "inclination_deg") return "the cells are circles, which have no long axis";

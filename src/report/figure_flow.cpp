@@ -48,6 +48,20 @@ std::string matrix_text(const SpeedMap& map, double factor) {
     return text;
 }
 
+/// The loops of walls [µm]; a blank line ends each.
+std::string walls_text(const FramesHeader& grid) {
+    std::string text = "# x [um] y [um] of walls; a blank line between loops\n";
+    for (std::size_t w = 0; w + 1 < grid.wall_first.size(); ++w) {
+        const std::int32_t begin = grid.wall_first[w], end = grid.wall_first[w + 1];
+        for (std::int32_t k = begin; k <= end && begin < end; ++k) {
+            const auto at = 2 * static_cast<std::size_t>(k == end ? begin : k);
+            text += fmt::format("{:.6g} {:.6g}\n", grid.walls[at] * 1e6, grid.walls[at + 1] * 1e6);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
 /// Closed outlines [µm], wrapped into the box; a cell across an end is written at both. A blank
 /// line ends each.
 std::string outlines_text(const FramesHeader& grid, const Frame& frame) {
@@ -159,8 +173,7 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
     std::vector<SpeedMap> maps;
     for (const Frame& frame : frames) {
         maps.push_back(speed_map(grid, frame));
-        fastest = std::max(fastest,
-                           *std::max_element(maps.back().speed.begin(), maps.back().speed.end()));
+        for (const double speed : maps.back().speed) fastest = std::max(fastest, speed);  // not NaN
     }
     const bool slow = fastest < 1e-3;
     const double factor = slow ? 1e6 : 1e3;
@@ -171,6 +184,11 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
                             round_step(grid.width * 1e6));
     body += fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]\nset cbrange [0:{:.4g}]\n",
                         grid.length * 1e6, grid.width * 1e6, std::max(fastest * factor, 1e-9));
+    if (!grid.wall_first.empty()) {  // where there is no speed, in walls, the ground shows
+        write_text(out / "walls.dat", walls_text(grid));
+        body += "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb \"#8a8a8a\" fs solid "
+                "noborder\n";
+    }
     const int panels = static_cast<int>(frames.size());
     for (int k = 0; k < panels; ++k) {
         const std::string stem = fmt::format("flow_{}", k + 1);
@@ -194,6 +212,8 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
             "plot \"{0}_speed.dat\" matrix using (({1:.8g})*($1+0.5)):(({1:.8g})*($2+0.5)):3 with "
             "image",
             stem, block);
+        if (!grid.wall_first.empty())
+            body += ", \\\n     \"walls.dat\" using 1:2 with lines lc rgb \"#4a4a4a\" lw 0.7";
         if (grid.first.back() > 0)
             body += fmt::format(
                 ", \\\n     \"{0}_cells.dat\" using 1:2 with filledcurves closed fc rgb "

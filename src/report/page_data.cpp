@@ -201,6 +201,8 @@ Json player_data(const Results& run, const std::string& label, const PageLimits&
             {"width", header.width},
             {"quantum", rounded(quantum)},
             {"first", choice.first},
+            {"walls", header.walls},
+            {"wall_first", header.wall_first},
             {"times", times},
             {"stretches", stretches},
             {"fields", fields},

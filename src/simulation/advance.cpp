@@ -64,6 +64,7 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     locate(m.delta, m.lattice, s.cells, sites.stencils);  // Eq. 8
     if (walls) cut_at_walls(*walls, s.cells, sites.stencils, sites.cut);
     set_dipoles(m.jump, s.cells);
+    if (walls) weaken_dipoles(sites.cut, s.cells);
     done(Pass::locate);
 
     lay_cytoplasm(m.viscosity, s.cells, s.interior);
@@ -79,7 +80,7 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     update_viscosity(m.viscosity, s.interior, sites.relaxation);
     done(Pass::viscosity);
 
-    collide_and_stream(m.equilibrium, m.boundaries, {s.drive.body_force, 0.0}, force,
+    collide_and_stream(m.equilibrium, m.boundaries, {s.drive.body_force, m.drive.lean * s.drive.body_force}, force,
                        sites.relaxation, sites.populations, velocity);  // Eqs. 1–4
     x.fill(velocity);
     settle(x, sites.links, sites.populations);  // waits until all velocities are there
@@ -91,6 +92,7 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
         interpolate(order, sites.stencils, velocity, s.cells, cell);  // Eq. 7
         if (walls) interpolate_cut(order, sites.cut, velocity, s.cells, cell);
         correct_velocities(m.jump, s.cells, cell);
+        if (walls) weaken_corrections(sites.cut, s.cells, cell);
         average_in_time(s.cells, cell, first_step);
         if (m.membrane.mobility > 0.0) answer_with_tension(m.membrane.mobility, s.cells, cell);
         if (m.membrane.hold_area) hold_area(s.cells, cell);

@@ -9,15 +9,15 @@ namespace {
 /// u = Σ f c + ½ F of the uniform force: what an observer sees before the first step. A step would
 /// add that of the membranes.
 template <class Real>
-void fill_velocity(const Populations<Real>& populations, double body_force, const Walls* walls,
+void fill_velocity(const Populations<Real>& populations, Vec2 body_force, const Walls* walls,
                    VectorField<Real>& velocity) {
     const Lattice& lattice = populations.lattice();
     for (int j = 0; j < lattice.ny; ++j) {
         for (int i = 0; i < lattice.nx; ++i) {
             if (walls && !walls->is_open(i, j)) continue;
             const Vec2 momentum = moments(populations, i, j).momentum;
-            velocity.x(i, j) = static_cast<Real>(momentum.x + 0.5 * body_force);
-            velocity.y(i, j) = static_cast<Real>(momentum.y);
+            velocity.x(i, j) = static_cast<Real>(momentum.x + 0.5 * body_force.x);
+            velocity.y(i, j) = static_cast<Real>(momentum.y + 0.5 * body_force.y);
         }
     }
 }
@@ -27,7 +27,8 @@ void derive(const Model& model, Sites<Real>& sites, State& state) {
     const Lattice& lattice = model.lattice;
     sites.velocity = VectorField<Real>(lattice);
     const Walls* const walls = model.boundaries.walls.get();
-    fill_velocity(sites.populations, state.drive.body_force, walls, sites.velocity);
+    const double push = state.drive.body_force;
+    fill_velocity(sites.populations, {push, model.drive.lean * push}, walls, sites.velocity);
     sites.links = walls ? WallLinks<Real>(*walls, sites.populations) : WallLinks<Real>();
     sites.relaxation = Relaxation<Real>(lattice);
     sites.stencils = Stencils<Real>(state.cells.node_count());
@@ -42,12 +43,22 @@ void derive(const Model& model, Sites<Real>& sites, State& state) {
 
 }  // namespace
 
-void start_flow(const Model& model, const VectorField<>& velocity, State& state) {
+Field<> density_of_drop(const Model& model) {
+    const Lattice& lattice = model.lattice;
+    const double drop = model.boundaries.pressure_drop / d2q9::sound_speed_squared;
+    Field<> density(lattice);
+    for (int j = 0; j < lattice.ny; ++j)
+        for (int i = 0; i < lattice.nx; ++i)
+            density(i, j) = (0.5 - (i + 0.5) / lattice.nx) * drop;
+    return density;
+}
+
+void start_flow(const Model& model, const VectorField<>& velocity, const Field<>& density,
+                State& state) {
     state.sites = sites_at_rest(model.lattice, model.precision);
     std::visit(
         [&](auto& sites) {
-            set_equilibrium(model.equilibrium, velocity, model.boundaries.pressure_drop,
-                            sites.populations);
+            set_equilibrium(model.equilibrium, velocity, density, sites.populations);
         },
         state.sites);
 }

@@ -5,9 +5,14 @@
 
 namespace tt {
 
-/// Lays out the sites in the model's precision, in the equilibrium of `velocity` and of the
-/// pressure drop (set_equilibrium).
-void start_flow(const Model& model, const VectorField<>& velocity, State& state);
+/// The deviation of density at the start of a flow at rest: it falls evenly along x by that of the
+/// pressure drop, 0 in the middle. With the drop between the ends all in one place a wave of
+/// pressure would run through the channel.
+Field<> density_of_drop(const Model& model);
+
+/// Lays out the sites in the model's precision, in the equilibrium of velocity and density.
+void start_flow(const Model& model, const VectorField<>& velocity, const Field<>& density,
+                State& state);
 
 /// Sizes and fills all of a State that follows from its populations and cells: after building one,
 /// and after loading one. Precondition: populations are on the model's lattice.

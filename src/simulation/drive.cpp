@@ -17,7 +17,8 @@ void hold_flow(const Model& model, State& state) {
     const double sum =
         std::visit([](const auto& sites) { return sum_over_sites(sites.velocity.x); }, state.sites);
     const double mean = sum / (static_cast<double>(lattice.nx) * lattice.ny);
-    const double error = model.drive.target_velocity - mean;
+    const double sampled = model.undisturbed ? model.undisturbed->site_mean : 1.0;
+    const double error = model.drive.target_velocity * sampled - mean;
     drive.integral += 4.0 * error * drive_interval / response;
     drive.body_force = model.drive.body_force + (3.0 * error + drive.integral) / response;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "base/quantity.hpp"
 #include "coupling/delta/delta.hpp"
 #include "coupling/jump.hpp"
@@ -10,6 +12,7 @@
 #include "grid/lattice.hpp"
 #include "interaction/contact.hpp"
 #include "membrane/forces.hpp"
+#include "simulation/undisturbed.hpp"
 
 namespace tt {
 
@@ -17,6 +20,7 @@ namespace tt {
 struct Drive {
     double body_force =
         0.0;  ///< uniform, along x; the controller's first guess when it holds the mean velocity
+    double lean = 0.0;  ///< force along y over that along x, which keeps the mean flow along x
     bool hold_mean_velocity = false;
     double target_velocity = 0.0;  ///< mean velocity to hold, or the nominal one
 };
@@ -39,6 +43,19 @@ struct Model {
     double shear_rate =
         0.0;  ///< nominal k: wall shear rate, or pseudo-shear rate of a channel [1/step]
     int threads = 1;
+    /// Of plasma alone between walls of any shape; none of a straight channel.
+    std::shared_ptr<const UndisturbedFlow> undisturbed;
+
+    /// Q ν/g of plasma alone.
+    double conductance() const {
+        const double height = lattice.ny;
+        return undisturbed ? undisturbed->conductance : height * height * height / 12.0;
+    }
+    /// Of the sites that hold fluid.
+    double open_area() const {
+        return boundaries.walls ? static_cast<double>(boundaries.walls->open_sites())
+                                : static_cast<double>(lattice.nx) * lattice.ny;
+    }
 };
 
 }  // namespace tt

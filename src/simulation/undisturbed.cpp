@@ -23,29 +23,32 @@ struct Settling {
     Populations<> populations;
     WallLinks<> links;
     Periodic exchange;
+    Vec2 push;  ///< the force
 
-    explicit Settling(const Walls& walls)
+    Settling(const Walls& walls, Vec2 direction)
         : no_force(walls.lattice),
           velocity(walls.lattice),
           relaxation(walls.lattice),
           populations(walls.lattice),
-          links(walls, populations) {
+          links(walls, populations),
+          push(force * direction) {
         boundaries.walls = std::shared_ptr<const Walls>(std::shared_ptr<void>(), &walls);
         const Rates rates = Trt{}.rates(viscosity);
         relaxation.even.fill(rates.even);
         relaxation.odd.fill(rates.odd);
     }
     void step() {
-        collide_and_stream(LinearEquilibrium{}, boundaries, {force, 0.0}, no_force, relaxation,
+        collide_and_stream(LinearEquilibrium{}, boundaries, push, no_force, relaxation,
                            populations, velocity);
         settle(exchange, links, populations);
         team_barrier();
     }
 };
 
-double mean_velocity(const Settling& flow) {
-    const Lattice& lattice = flow.velocity.x.lattice();
-    return sum_over_sites(flow.velocity.x) / (static_cast<double>(lattice.nx) * lattice.ny);
+Vec2 mean_velocity(const VectorField<>& velocity) {
+    const Lattice& lattice = velocity.x.lattice();
+    return Vec2{sum_over_sites(velocity.x), sum_over_sites(velocity.y)} /
+           (static_cast<double>(lattice.nx) * lattice.ny);
 }
 
 /// Until what is left to come, by the pace at which changes get smaller, is a share of 10⁻⁵.
@@ -56,27 +59,13 @@ void run_until_steady(Settling& flow, int threads) {
         with_team(threads, [&] {
             for (int k = 0; k < steps; ++k) flow.step();
         });
-        const double now = mean_velocity(flow), before = std::exchange(change, now - mean);
+        const double now = dot(mean_velocity(flow.velocity), flow.push) / force;
+        const double before = std::exchange(change, now - mean);
         mean = now;
         const double pace = std::fabs(change / before);
         const double left = pace < 1.0 ? std::fabs(change) * pace / (1.0 - pace) : HUGE_VAL;
         if (n > 2 && left < 1e-5 * std::fabs(mean)) return;
     }
-}
-
-/// What columns of sites leave out or count twice beside a wall at the share q of the last spacing,
-/// of a velocity that grows linearly from it: u′((q − ½)²/2 − 1/24).
-double beside_walls(const Walls& walls, const Field<>& u) {
-    double sum = 0.0;
-    for (const WallLink& link : walls.links) {
-        if (d2q9::cx[link.direction] != 0) continue;
-        const double q = std::max(link.q, 1e-3), off = q - 0.5;
-        sum += u(link.i, link.j) / q * (0.5 * off * off - 1.0 / 24.0);
-    }
-    if (!walls.lattice.walls) return sum;
-    for (const int j : {0, walls.lattice.ny - 1})
-        for (int i = 0; i < walls.lattice.nx; ++i) sum -= 2.0 * u(i, j) / 24.0;
-    return sum;
 }
 
 void measure(const Walls& walls, UndisturbedFlow& flow) {
@@ -97,37 +86,81 @@ void measure(const Walls& walls, UndisturbedFlow& flow) {
         for (const int j : {0, walls.lattice.ny - 1}) rate(i, j, true, 0.5);
 }
 
-}  // namespace
-
-
-UndisturbedFlow undisturbed_flow(const Walls& walls, int threads) {
+/// Velocity and density where a force along this direction has made them steady, each the mean of
+/// two steps.
+void settle_along(const Walls& walls, Vec2 direction, int threads, VectorField<>& velocity,
+                  Field<>& density) {
     const Lattice& lattice = walls.lattice;
-    Settling settling(walls);
+    Settling settling(walls, direction);
     run_until_steady(settling, threads);
-    UndisturbedFlow flow;
-    flow.velocity = VectorField<>(lattice);
-    flow.density = Field<>(lattice);
     for (int step = 0; step < 2; ++step) {
         settling.step();
         for (int j = 0; j < lattice.ny; ++j) {
-            const std::vector<double> density = density_deviations(settling.populations, j);
+            const std::vector<double> now = density_deviations(settling.populations, j);
             for (int i = 0; i < lattice.nx; ++i) {
                 if (!walls.is_open(i, j)) continue;
-                flow.velocity.x(i, j) += 0.5 * settling.velocity.x(i, j);
-                flow.velocity.y(i, j) += 0.5 * settling.velocity.y(i, j);
-                flow.density(i, j) += 0.5 * density[i];
+                velocity.x(i, j) += 0.5 * settling.velocity.x(i, j);
+                velocity.y(i, j) += 0.5 * settling.velocity.y(i, j);
+                density(i, j) += 0.5 * now[i];
             }
         }
     }
-    const double rate =
-        (sum_over_sites(flow.velocity.x) + beside_walls(walls, flow.velocity.x)) / lattice.nx;
-    flow.conductance = rate * viscosity / force;
-    const double mean = rate / lattice.ny;
-    for (std::size_t n = 0; n < flow.density.size(); ++n) {
-        flow.velocity.x.data()[n] /= mean;
-        flow.velocity.y.data()[n] /= mean;
-        flow.density.data()[n] /= mean * viscosity;
+}
+
+/// Takes off what turns the mean flow aside.
+void keep_along_x(const Walls& walls, int threads, UndisturbedFlow& flow) {
+    VectorField<> aside(walls.lattice);
+    Field<> density(walls.lattice);
+    settle_along(walls, {0.0, 1.0}, threads, aside, density);
+    flow.lean = -mean_velocity(flow.velocity).y / mean_velocity(aside).y;
+    for (std::size_t n = 0; n < density.size(); ++n) {
+        flow.velocity.x.data()[n] += flow.lean * aside.x.data()[n];
+        flow.velocity.y.data()[n] += flow.lean * aside.y.data()[n];
+        flow.density.data()[n] += flow.lean * density.data()[n];
     }
+}
+
+}  // namespace
+
+
+template <class Real>
+double flow_beside_walls(const Walls& walls, const Field<Real>& u) {
+    double sum = 0.0;
+    for (const WallLink& link : walls.links) {
+        if (d2q9::cx[link.direction] != 0) continue;
+        const double q = std::max(link.q, 1e-3), off = q - 0.5;
+        const double here = u(link.i, link.j);
+        sum += here / q * (0.5 * off * off - 1.0 / 24.0);
+        if (link.row_wall) sum += 2.0 * here / 24.0;  // and not that of the lattice's own wall
+    }
+    if (!walls.lattice.walls) return sum;
+    for (const int j : {0, walls.lattice.ny - 1})
+        for (int i = 0; i < walls.lattice.nx; ++i) sum -= 2.0 * u(i, j) / 24.0;
+    return sum;
+}
+template double flow_beside_walls(const Walls&, const Field<double>&);
+template double flow_beside_walls(const Walls&, const Field<float>&);
+
+UndisturbedFlow undisturbed_flow(const Walls& walls, int threads) {
+    const Lattice& lattice = walls.lattice;
+    UndisturbedFlow flow;
+    flow.velocity = VectorField<>(lattice);
+    flow.density = Field<>(lattice);
+    settle_along(walls, {1.0, 0.0}, threads, flow.velocity, flow.density);
+    // A lean of rounding is none.
+    const Vec2 mean = mean_velocity(flow.velocity);
+    if (!lattice.walls && std::fabs(mean.y) > 1e-5 * std::fabs(mean.x))
+        keep_along_x(walls, threads, flow);
+    const double rate =
+        (sum_over_sites(flow.velocity.x) + flow_beside_walls(walls, flow.velocity.x)) / lattice.nx;
+    flow.conductance = rate * viscosity / force;
+    const double unit = rate / lattice.ny;
+    for (std::size_t n = 0; n < flow.density.size(); ++n) {
+        flow.velocity.x.data()[n] /= unit;
+        flow.velocity.y.data()[n] /= unit;
+        flow.density.data()[n] /= unit * viscosity;
+    }
+    flow.site_mean = mean_velocity(flow.velocity).x;
     measure(walls, flow);
     return flow;
 }

@@ -14,7 +14,7 @@ Experiment::Experiment(const Model& m, const Suspension& cells, const VectorFiel
     : model(m) {
     state.cells = cells;
     state.drive.body_force = model.drive.body_force;
-    start_flow(model, velocity, state);
+    start_flow(model, velocity, density_of_drop(model), state);
     derive(model, state);
 }
 

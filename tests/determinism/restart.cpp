@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -31,8 +32,11 @@ State saved_and_loaded(const Model& model, const State& state, const std::filesy
 }
 
 TEST_F(Restart, two_hundred_steps_are_a_hundred_saved_loaded_and_a_hundred_more) {
-    for (const Precision precision : {Precision::fp64, Precision::fp32}) {
-        Model model = small_model();
+    for (const auto& [precision, post] : {std::pair{Precision::fp64, false},
+                                          {Precision::fp32, false},
+                                          {Precision::fp64, true},
+                                          {Precision::fp32, true}}) {
+        Model model = post ? with_post(small_model()) : small_model();
         model.precision = precision;
         model.contact.law = Morse{1e-3, 0.77, 2.45, true};
         model.contact.range = 9.0;

@@ -11,9 +11,10 @@ namespace {
 
 /// The state after some steps of two cells that feel each other, the flow kept everywhere in some
 /// of them.
-std::uint64_t hash_after_steps(bool walls, int threads) {
+std::uint64_t hash_after_steps(bool walls, bool post, int threads) {
     Model model = small_model();
     model.lattice.walls = walls;
+    if (post) model = with_post(model);
     model.contact.law = Morse{1e-3, 0.77, 2.45, true};
     model.contact.range = 9.0;
     model.contact.interval = 3;
@@ -30,11 +31,12 @@ std::uint64_t hash_after_steps(bool walls, int threads) {
 }
 
 TEST(Threads, steps_give_the_same_bits_on_1_to_8) {
-    for (const bool walls : {true, false}) {
-        const std::uint64_t one = hash_after_steps(walls, 1);
-        for (const int threads : {2, 3, 5, 8})
-            EXPECT_EQ(hash_after_steps(walls, threads), one) << threads << " threads";
-    }
+    for (const bool walls : {true, false})
+        for (const bool post : {false, true}) {
+            const std::uint64_t one = hash_after_steps(walls, post, 1);
+            for (const int threads : {2, 3, 5, 8})
+                EXPECT_EQ(hash_after_steps(walls, post, threads), one) << threads << " threads";
+        }
 }
 
 }  // namespace

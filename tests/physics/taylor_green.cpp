@@ -30,7 +30,7 @@ double decay_error(const Equilibrium& equilibrium, int size) {
             flow.velocity.y(i, j) = u.y;
         }
     }
-    set_equilibrium(equilibrium, flow.velocity, 0.0, flow.populations);
+    set_equilibrium(equilibrium, flow.velocity, Field<>(flow.lattice), flow.populations);
     // Without its pressure Navier–Stokes flow would start with sound waves, a relative error of the
     // order of Ma.
     if (equilibrium.index() != 0) {

@@ -79,7 +79,7 @@ TEST(Completion, offers_what_the_value_may_be) {
               (Words{"auto", "bar", "log", "json", "none"}));
     EXPECT_EQ(offered({"run", "--progress=n"}), Words{"--progress=none"});
     EXPECT_EQ(offered({"export", "d", "--to", ""}), (Words{"vtk", "csv", "png"}));
-    EXPECT_EQ(offered({"new", "a", "--from", "po"}), Words{"poiseuille"});
+    EXPECT_EQ(offered({"new", "a", "--from", "po"}), (Words{"poiseuille", "posts"}));
     EXPECT_EQ(kind_offered({"run", ""}), "files");
     EXPECT_EQ(kind_offered({"run", "--fresh", "-j", "2", ""}), "files");
     EXPECT_EQ(kind_offered({"run", "a.toml", "-o", ""}), "directories");

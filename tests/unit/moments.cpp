@@ -27,7 +27,7 @@ TEST(Moments, of_an_equilibrium_are_density_1_its_velocity_and_its_momentum_flux
          {Equilibrium{LinearEquilibrium{}}, Equilibrium{IncompressibleEquilibrium{}},
           Equilibrium{FullEquilibrium{}}}) {
         populations.phase = Phase::odd;
-        set_equilibrium(equilibrium, velocity, 0.0, populations);
+        set_equilibrium(equilibrium, velocity, Field<>(velocity.x.lattice()), populations);
         EXPECT_EQ(populations.phase, Phase::even);
         const Moments m = moments(populations, 2, 1);
         const double inertia = equilibrium.index() == 0 ? 0.0 : 1.0;

@@ -123,6 +123,25 @@
     context.drawImage(buffer, 0, 0, canvas.width, canvas.height);
   }
 
+  // Solid is what an odd number of loops goes around.
+  function drawWalls() {
+    const perMetre = canvas.width / player.length;
+    context.beginPath();
+    for (let w = 0; w + 1 < player.wall_first.length; ++w) {
+      for (let k = player.wall_first[w]; k < player.wall_first[w + 1]; ++k) {
+        const x = player.walls[2 * k] * perMetre, y = canvas.height - player.walls[2 * k + 1] * perMetre;
+        if (k === player.wall_first[w]) context.moveTo(x, y);
+        else context.lineTo(x, y);
+      }
+      context.closePath();
+    }
+    context.fillStyle = "#8a8a8a";
+    context.strokeStyle = "#4a4a4a";
+    context.lineWidth = Math.max(1, canvas.width / 900);
+    context.fill("evenodd");
+    context.stroke();
+  }
+
   function drawCells() {
     const perMetre = canvas.width / player.length, count = player.first[player.first.length - 1];
     for (let c = 0; c + 1 < player.first.length; ++c) {
@@ -160,6 +179,7 @@
     context.fillStyle = "#fff";
     context.fillRect(0, 0, canvas.width, canvas.height);
     if (speed.checked) drawSpeed();
+    drawWalls();
     drawCells();
     clock.textContent = "t = " + (player.times[frame] * 1e3).toPrecision(4) + " ms";
     scrub.value = time;
