@@ -106,6 +106,24 @@ TEST(ShortenedCases, stretched_cell_returns_to_its_circle_without_turning_back) 
     EXPECT_LT(c.area_error(), 1e-3);
 }
 
+TEST(ShortenedCases, cells_pass_a_stenosis_and_posts_keep_their_area_and_out_of_the_walls) {
+    for (const char* name : {"06-stenosis", "08-posts"}) {
+        ShortenedCase c(name, {"numerics.dx=0.5 um"});
+        const double plasma_alone = c.measures().mean_velocity.si;
+        c.until(6e-3);
+        const RunMeasures m = c.measures();
+        double nearest = 1.0;
+        for (const CellMeasures& cell : measure_cells(c.model, c.state))
+            nearest = std::min(nearest, cell.wall_distance.si);
+        fmt::print("{}: area error {:.1e}, {:.2g} um from the walls, {} steps\n", name,
+                   m.area_error_max, nearest * 1e6, c.state.step);
+        EXPECT_NEAR(plasma_alone, std::string(name) == "06-stenosis" ? 2e-3 : 0.5e-3, 1e-5);
+        EXPECT_LT(m.area_error_max, 1e-5);
+        EXPECT_GT(nearest, 0.0);
+        EXPECT_LT(m.mean_velocity.si, plasma_alone) << "cells resist the flow";
+    }
+}
+
 class ShortenedChannel : public testing::TestWithParam<const char*> {};
 
 TEST_P(ShortenedChannel, keeps_its_twelve_cells_their_areas_and_their_distance) {
