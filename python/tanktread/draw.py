@@ -29,9 +29,10 @@ def draw_cells(frame: Frame, axes=None, **style):
         axes.add_patch(PathPatch(Path.make_compound_path(*closed), facecolor="#8a8a8a", edgecolor="#4a4a4a"))
     for cell in range(frame.cell_count):
         outline = frame.outline(cell)
-        for shift in (-length, 0.0, length):
-            at = outline[:, 0] + shift
-            if at.max() >= 0.0 and at.min() <= length:
-                axes.add_patch(Polygon(1e6 * np.column_stack([at, outline[:, 1]]), closed=True, **style))
+        for along in (-length, 0.0, length):
+            for up in (-width, 0.0, width):
+                at = outline + (along, up)
+                if np.all(at.max(axis=0) >= 0.0) and np.all(at.min(axis=0) <= (length, width)):
+                    axes.add_patch(Polygon(1e6 * at, closed=True, **style))
     axes.set(xlim=(0.0, 1e6 * length), ylim=(0.0, 1e6 * width), aspect="equal", xlabel="x [µm]", ylabel="y [µm]")
     return axes

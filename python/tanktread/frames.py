@@ -39,10 +39,10 @@ class Frame:
         return len(self._first) - 1
 
     def outline(self, cell: int, wrapped: bool = True) -> np.ndarray:
-        """Nodes of one cell, (n, 2) [m]; `wrapped` moves the cell as a whole so that its mean x lies in the box."""
+        """Nodes of one cell, (n, 2) [m]; `wrapped` moves the cell as a whole so that its mean lies in the box."""
         nodes = self.nodes[self._first[cell]:self._first[cell + 1]].copy()
         if wrapped:
-            nodes[:, 0] -= self.box[0] * np.floor(nodes[:, 0].mean() / self.box[0])
+            nodes -= self.box * np.floor(nodes.mean(axis=0) / self.box)
         return nodes
 
 

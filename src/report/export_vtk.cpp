@@ -88,18 +88,18 @@ struct CellMesh {
     std::vector<std::int32_t> cell_of_line, cell_of_triangle;
     std::vector<std::int32_t> image_of_line, image_of_triangle;  ///< 1: of a cell across an end
 
-    void add(int cell, int image, std::int64_t begin, std::span<const Vec2> nodes, double shift,
+    void add(int cell, int image, std::int64_t begin, std::span<const Vec2> nodes, Vec2 shift,
              std::span<const std::array<int, 3>> inside);
 };
 
 void CellMesh::add(int cell, int image, std::int64_t begin, std::span<const Vec2> nodes,
-                   double shift, std::span<const std::array<int, 3>> inside) {
+                   Vec2 shift, std::span<const std::array<int, 3>> inside) {
     const auto first = static_cast<std::int64_t>(points.size());
     std::vector<std::int64_t> ring;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         node.push_back(begin + static_cast<std::int64_t>(k));
         ring.push_back(first + static_cast<std::int64_t>(k));
-        points.push_back(nodes[k] + Vec2{shift, 0.0});
+        points.push_back(nodes[k] + shift);
     }
     ring.push_back(first);
     lines.add(ring);
@@ -123,8 +123,8 @@ CellMesh cell_mesh(const FramesHeader& header, const std::vector<Vec2>& nodes) {
         const auto outline = std::span(scaled).subspan(begin, end - begin);
         const auto inside = triangulate(outline);
         int image = 0;
-        for (const double shift : image_shifts(header, nodes, c)) {
-            mesh.add(c, image, static_cast<std::int64_t>(begin), outline, shift * um, inside);
+        for (const Vec2 shift : image_shifts(header, nodes, c)) {
+            mesh.add(c, image, static_cast<std::int64_t>(begin), outline, um * shift, inside);
             image = 1;
         }
     }

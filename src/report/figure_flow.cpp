@@ -70,10 +70,10 @@ std::string outlines_text(const FramesHeader& grid, const Frame& frame) {
     for (int cell = 0; cell < cell_count(grid); ++cell) {
         const int begin = grid.first[static_cast<std::size_t>(cell)];
         const int end = grid.first[static_cast<std::size_t>(cell) + 1];
-        for (const double shift : image_shifts(grid, nodes, cell)) {
+        for (const Vec2 shift : image_shifts(grid, nodes, cell)) {
             for (int k = begin; k <= end; ++k) {
                 const Vec2 p = nodes[static_cast<std::size_t>(k == end ? begin : k)];
-                text += fmt::format("{:.5g} {:.5g} {}\n", (p.x + shift) * 1e6, p.y * 1e6, cell);
+                text += fmt::format("{:.5g} {:.5g} {}\n", (p.x + shift.x) * 1e6, (p.y + shift.y) * 1e6, cell);
             }
             text += '\n';
         }

@@ -23,14 +23,14 @@ std::vector<Vec2> wrapped_nodes(const FramesHeader& header, const Frame& frame) 
     for (std::size_t c = 0; c + 1 < header.first.size(); ++c) {
         const auto begin = static_cast<std::size_t>(header.first[c]);
         const auto end = static_cast<std::size_t>(header.first[c + 1]);
-        double mean = 0.0;
-        for (std::size_t k = begin; k < end; ++k) {
-            mean += frame.nodes[2 * k] / static_cast<double>(end - begin);
-        }
-        const double shift = header.length * std::floor(mean / header.length);
-        for (std::size_t k = begin; k < end; ++k) {
-            nodes[k] = {frame.nodes[2 * k] - shift, frame.nodes[2 * k + 1]};
-        }
+        Vec2 mean{};
+        for (std::size_t k = begin; k < end; ++k)
+            mean += Vec2{frame.nodes[2 * k], frame.nodes[2 * k + 1]} /
+                    static_cast<double>(end - begin);
+        const Vec2 shift{header.length * std::floor(mean.x / header.length),
+                         header.width * std::floor(mean.y / header.width)};
+        for (std::size_t k = begin; k < end; ++k)
+            nodes[k] = Vec2{frame.nodes[2 * k], frame.nodes[2 * k + 1]} - shift;
     }
     return nodes;
 }
@@ -49,15 +49,21 @@ std::vector<double> segment_lengths(const FramesHeader& header, const Frame& fra
     return lengths;
 }
 
-std::vector<double> image_shifts(const FramesHeader& header, const std::vector<Vec2>& wrapped,
-                                 int cell) {
+std::vector<Vec2> image_shifts(const FramesHeader& header, const std::vector<Vec2>& wrapped,
+                               int cell) {
     const auto begin = wrapped.begin() + header.first[static_cast<std::size_t>(cell)];
     const auto end = wrapped.begin() + header.first[static_cast<std::size_t>(cell) + 1];
     const auto [left, right] =
         std::minmax_element(begin, end, [](Vec2 a, Vec2 b) { return a.x < b.x; });
-    std::vector<double> shifts{0.0};
-    for (const double shift : {-header.length, header.length})
-        if (right->x + shift > 0.0 && left->x + shift < header.length) shifts.push_back(shift);
+    const auto [low, high] =
+        std::minmax_element(begin, end, [](Vec2 a, Vec2 b) { return a.y < b.y; });
+    std::vector<Vec2> shifts{{}};
+    for (const double x : {0.0, -header.length, header.length})
+        for (const double y : {0.0, -header.width, header.width}) {
+            const bool reaches = right->x + x > 0.0 && left->x + x < header.length &&
+                                 high->y + y > 0.0 && low->y + y < header.width;
+            if (reaches && (x != 0.0 || y != 0.0)) shifts.push_back({x, y});
+        }
     return shifts;
 }
 

@@ -144,13 +144,16 @@
 
   function drawCells() {
     const perMetre = canvas.width / player.length, count = player.first[player.first.length - 1];
+    const images = [];
+    for (const along of [-player.length, 0, player.length])
+      for (const up of [-player.width, 0, player.width]) images.push([along, up]);
     for (let c = 0; c + 1 < player.first.length; ++c) {
       const colour = colourOf(player.stretches[frame][c]);
-      for (const shift of [-player.length, 0, player.length]) {
+      for (const [shift, up] of images) {
         context.beginPath();
         for (let k = player.first[c]; k < player.first[c + 1]; ++k) {
           const at = 2 * (frame * count + k);
-          const x = player.position[at] * player.quantum + shift, y = player.position[at + 1] * player.quantum;
+          const x = player.position[at] * player.quantum + shift, y = player.position[at + 1] * player.quantum + up;
           context.lineTo(x * perMetre, canvas.height - y * perMetre);
         }
         context.closePath();
