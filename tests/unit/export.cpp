@@ -185,13 +185,16 @@ TEST(ExportVtk, cells_are_filled_stretched_against_rest_and_measured) {
 
 TEST(ExportVtk, a_cell_across_an_end_has_an_image_at_the_other) {
     FramesHeader grid;
-    grid.length = 10.0;
+    grid.length = grid.width = 10.0;
     grid.first = {0, 3, 6, 9};
     const std::vector<Vec2> nodes{{-1, 0}, {2, 0}, {1, 1},  {4, 0}, {6, 0},
                                   {5, 1},  {8, 0}, {12, 0}, {9, 1}};
-    EXPECT_EQ(image_shifts(grid, nodes, 0), (std::vector<double>{0.0, 10.0}));
-    EXPECT_EQ(image_shifts(grid, nodes, 1), (std::vector<double>{0.0}));
-    EXPECT_EQ(image_shifts(grid, nodes, 2), (std::vector<double>{0.0, -10.0}));
+    EXPECT_EQ(image_shifts(grid, nodes, 0), (std::vector<Vec2>{{}, {10.0, 0.0}}));
+    EXPECT_EQ(image_shifts(grid, nodes, 1), (std::vector<Vec2>{{}}));
+    EXPECT_EQ(image_shifts(grid, nodes, 2), (std::vector<Vec2>{{}, {-10.0, 0.0}}));
+    // In a corner of a box that is periodic both ways: three.
+    grid.first = {0, 3};
+    EXPECT_EQ(image_shifts(grid, {{-1, -1}, {2, -1}, {1, 1}}, 0).size(), 4u);
 }
 
 TEST(Export, what_a_longer_one_left_goes_and_other_files_stay) {
