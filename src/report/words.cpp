@@ -114,6 +114,23 @@ std::string with_minus(std::string text) {
     return text;
 }
 
+/// Walls that are not those of the box.
+std::string walls_words(const Results& run) {
+    const std::string shape = run.setting("geometry.shape");
+    const auto key = [&](const char* name) {
+        return run.setting(std::string("geometry.") + name);
+    };
+    if (shape == "stenosis")
+        return fmt::format("Its walls narrow it to {} in the middle, over {}.",
+                           pretty(key("throat")), pretty(key("throat_length")));
+    if (shape == "posts")
+        return fmt::format("It holds {} × {} posts of {}; each column is {} rows higher than the one "
+                           "before.",
+                           key("columns"), key("rows"), pretty(key("diameter")), key("row_shift"));
+    if (shape == "file") return fmt::format("Its walls are those of {}.", key("file"));
+    return {};
+}
+
 }  // namespace
 
 std::string case_in_words(const Results& run) {
@@ -122,7 +139,7 @@ std::string case_in_words(const Results& run) {
     if (!length.empty() && !width.empty())
         text = fmt::format("A box {} long (periodic) and {} wide.", pretty(length), pretty(width));
     for (const std::string& sentence :
-         {flow_words(run), cells_words(run), membrane_words(run), grid_words(run)})
+         {walls_words(run), flow_words(run), cells_words(run), membrane_words(run), grid_words(run)})
         if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
     return text;
 }
