@@ -20,6 +20,7 @@ bool is_number(const std::string& text) {
 void examine(const FramesHeader& header) {
     const auto& first = header.first;
     const bool sound = header.nx > 0 && header.ny > 0 && header.dx > 0.0 && header.length > 0.0 &&
+                       header.width > 0.0 && std::isfinite(header.width) &&
                        std::isfinite(header.length) && !first.empty() && first.front() == 0 &&
                        std::is_sorted(first.begin(), first.end()) &&
                        (header.rest_length.empty() ||

@@ -115,10 +115,10 @@ TEST(Results, all_figure_times_are_drawn_in_whatever_unit_they_are_given) {
 
 TEST(ReportFrames, wrapping_moves_a_whole_cell_into_the_box) {
     FramesHeader header;
-    header.length = 10.0;
+    header.length = header.width = 10.0;
     header.first = {0, 3};
     Frame frame;
-    frame.nodes = {25.0, 1.0, 27.0, 2.0, 26.0, 3.0};
+    frame.nodes = {25.0, 11.0, 27.0, 12.0, 26.0, 13.0};  // periodic both ways
     const std::vector<Vec2> nodes = wrapped_nodes(header, frame);
     EXPECT_EQ(nodes[0], (Vec2{5.0, 1.0}));
     EXPECT_EQ(nodes[1], (Vec2{7.0, 2.0}));
