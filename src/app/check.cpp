@@ -107,37 +107,20 @@ std::string step_setters(const Choice& choice) {
     return text;
 }
 
-/// The walls as they lie on the grid.
-void print_walls(const Case& c, const Choice& choice) {
-    const Walls& walls = *choice.walls;
-    const double gap = narrowest_gap(walls), dx = choice.dx.si;
-    const auto open = static_cast<double>(walls.open_sites());
-    std::string text = fmt::format(
-        "{}; {:.1f} % of the box is open, narrowest gap {} ({:.3g} sites), {} links",
-        word_of(c.geometry.shape), 100.0 * open / (static_cast<double>(choice.nx) * choice.ny),
-        rounded_text(Length{gap * dx}, 3), gap, with_spaces(std::ssize(walls.links)));
-    const WallRemarks& remarks = walls.remarks;
-    if (remarks.closed > 0)
-        text += fmt::format("; {} sites closed where a wall passes between two neighbours", remarks.closed);
-    if (remarks.pockets > 0)
-        text += fmt::format("; {} sites in pockets closed", remarks.pockets);
-    if (remarks.single > 0)
-        text += fmt::format("; {} links without a second site behind, where walls are taken as "
-                            "half-way",
-                            remarks.single);
-    print_line("walls", text);
-    // Of straight channels of this width the flow is off by 0.66/H² (docs/theory/walls.md).
-    print_line("resistance",
-               fmt::format("flow rate per force {:.4g} times that of the open box; expect {:.1g} % of "
-                           "error from the walls",
-                           12.0 * choice.undisturbed->conductance / std::pow(choice.ny, 3),
-                           100.0 * 0.66 / (gap * gap)));
-}
-
 void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
     print_line("grid", fmt::format("{} x {} sites of {}, {} in all", choice.nx, choice.ny,
                                    rounded_text(choice.dx), with_spaces(a.sites)));
-    if (choice.walls) print_walls(c, choice);
+    if (choice.walls) {
+        print_line("walls", fmt::format("{}; {}", word_of(c.geometry.shape),
+                                        description(*choice.walls, choice.dx.si)));
+        // Of straight channels of this width the flow is off by 0.66/H² (docs/theory/walls.md).
+        print_line(
+            "resistance",
+            fmt::format("flow rate per force {:.4g} times that of the open box; expect {:.1g} % "
+                        "of error from the walls",
+                        12.0 * choice.undisturbed->conductance / std::pow(choice.ny, 3),
+                        66.0 / std::pow(narrowest_gap(*choice.walls), 2)));
+    }
     if (a.cells > 0)
         print_line(
             "cells",

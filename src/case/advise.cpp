@@ -114,8 +114,7 @@ void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& 
     // A membrane under the compression E_s, the most that it takes, buckles at the wavelength
     // 2π √(E_b/E_s): four segments to it (docs/decisions/0011-checks.md).
     constexpr double shortest = 2.0 / std::numbers::pi;
-    const bool moves =
-        choice.shear_rate.si > 0.0 && !is_drop(c.membrane);
+    const bool moves = choice.shear_rate.si > 0.0 && !is_drop(c.membrane);
     if (moves && a.bending_length > 0.0 && a.bending_length < shortest)
         adviser.consider(
             "The bending length sqrt(E_b/E_s) is {:.2g} sites: a membrane that the flow compresses "

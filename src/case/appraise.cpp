@@ -61,8 +61,8 @@ void measure_start(const Model& model, const Suspension& cells, Appraisal& a) {
     const Walls* const walls = model.boundaries.walls.get();
     for (int n = 0; n < a.nodes; ++n) {
         const double y = cells.y[n];
-        const double away = walls ? walls->distance_at(cells.position(n))
-                                  : std::min(y, model.lattice.ny - y);
+        const double away =
+            walls ? walls->distance_at(cells.position(n)) : std::min(y, model.lattice.ny - y);
         a.wall_distance = std::min(a.wall_distance, away);
     }
     for (int c = 0; c < a.cells; ++c)

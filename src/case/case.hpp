@@ -11,10 +11,10 @@
 #include "base/choice.hpp"
 #include "base/quantity.hpp"
 #include "case/cell_outline.hpp"
+#include "case/geometry_case.hpp"
 #include "coupling/delta/delta.hpp"
 #include "coupling/viscosity.hpp"
 #include "fluid/equilibrium.hpp"
-#include "geometry/loops.hpp"
 #include "grid/field.hpp"
 #include "interaction/contact.hpp"
 #include "membrane/bending/bending.hpp"
@@ -39,47 +39,6 @@ struct DomainCase {
     Sides sides = Sides::walls;
 
     friend bool operator==(const DomainCase&, const DomainCase&) = default;
-};
-
-/// A straight channel, or none at all where the sides are periodic.
-struct StraightShape {
-    static constexpr std::string_view name = "straight";
-    friend bool operator==(const StraightShape&, const StraightShape&) = default;
-};
-/// A smooth narrowing from both walls in the middle of the box.
-struct StenosisShape {
-    static constexpr std::string_view name = "stenosis";
-    Length throat;         ///< width left where it is narrowest
-    Length throat_length;  ///< from where it begins to where it ends
-    friend bool operator==(const StenosisShape&, const StenosisShape&) = default;
-};
-/// Round posts in columns and rows.
-struct PostsShape {
-    static constexpr std::string_view name = "posts";
-    Length diameter;
-    std::int64_t columns = 1, rows = 1;  ///< evenly over length and width
-    double row_shift = 0.0;  ///< of each column against the one before, in spacings of rows
-    friend bool operator==(const PostsShape&, const PostsShape&) = default;
-};
-/// Whether fluid is inside or outside of what is drawn.
-enum class Side : std::uint8_t { inside, outside };
-template <>
-inline constexpr auto words_of<Side> = std::to_array<std::string_view>({"inside", "outside"});
-/// Loops of points, in the coordinates of the box.
-struct DrawnShape {
-    static constexpr std::string_view name = "file";
-    std::string file;             ///< x,y in µm, loops parted by empty lines
-    std::optional<Length> unit;   ///< of its numbers
-    Side fluid = Side::inside;    ///< of the loops, by the even–odd rule
-    std::string bytes;            ///< what `file` holds; no key
-    std::vector<Loop> loops;      ///< the same [m]; no key
-    friend bool operator==(const DrawnShape&, const DrawnShape&) = default;
-};
-struct GeometryCase {
-    std::variant<StraightShape, StenosisShape, PostsShape, DrawnShape> shape;
-
-    bool straight() const { return std::holds_alternative<StraightShape>(shape); }
-    friend bool operator==(const GeometryCase&, const GeometryCase&) = default;
 };
 
 /// What stays constant in a channel.
@@ -274,7 +233,7 @@ struct ContactCase {
     std::variant<NoContact, MorseContact> model = MorseContact{};
     Nearest nearest = Nearest::segment;
     std::optional<bool> short_range_repulsion;  ///< auto: between walls of any shape
-    std::optional<Length> repulsion_range;  ///< auto: one site
+    std::optional<Length> repulsion_range;      ///< auto: one site
     Pressure repulsion_strength{1e3};
 
     const MorseContact* morse() const { return std::get_if<MorseContact>(&model); }

@@ -246,15 +246,15 @@ void choose_walls(const Case& c, Choice& choice) {
     constexpr double most = 4e6;
     expect_sites(c, choice, most, "can be had between walls of any shape");
     const Lattice lattice{choice.nx, choice.ny, c.domain.sides == Sides::walls};
-    auto walls = std::make_shared<const Walls>(
-        make_walls(scaled(solid_of(c), 1.0 / choice.dx.si), lattice));
+    auto walls =
+        std::make_shared<const Walls>(make_walls(scaled(solid_of(c), 1.0 / choice.dx.si), lattice));
     if (const auto messages = faults_of(*walls, choice.dx.si); !messages.empty()) {
         std::vector<Fault> faults;
         for (const std::string& message : messages) faults.push_back({"", 0, 0, message});
         throw CaseError(std::move(faults));
     }
-    choice.undisturbed = std::make_shared<const UndisturbedFlow>(
-        undisturbed_flow(*walls, usable_processors()));
+    choice.undisturbed =
+        std::make_shared<const UndisturbedFlow>(undisturbed_flow(*walls, usable_processors()));
     choice.walls = std::move(walls);
 }
 

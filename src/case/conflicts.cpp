@@ -67,7 +67,8 @@ void judge_flow(Judge& judge, const Case& c) {
 void judge_geometry(Judge& judge, const Case& c) {
     if (c.geometry.straight()) return;
     const std::string why = fmt::format("between walls of shape \"{}\"", word_of(c.geometry.shape));
-    judge.forbid("flow.largest_velocity", why + " (write mean_velocity, over the width of the box)");
+    judge.forbid("flow.largest_velocity",
+                 why + " (write mean_velocity, over the width of the box)");
     judge.forbid("flow.wall_stress", why + " (write mean_velocity, over the width of the box)");
     judge.forbid("layer.thickness", why);
     if (c.flow.shear())

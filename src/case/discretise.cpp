@@ -96,8 +96,8 @@ Model discretise(const Case& c, const Choice& choice) {
     } else if (const ChannelFlow* channel = c.flow.channel()) {
         m.drive.hold_mean_velocity = channel->hold == Hold::mean_velocity;
         m.drive.target_velocity = m.shear_rate * m.lattice.ny;
-        // A controller acts through the body force; a constant drop acts where the case says. Between
-        // walls of any shape a force everywhere is the same flow as a drop at the ends.
+        // A controller acts through the body force; a constant drop acts where the case says.
+        // Between walls of any shape a force everywhere is the same flow as a drop at the ends.
         if (std::holds_alternative<PressureDrive>(c.flow.drive) && !m.drive.hold_mean_velocity &&
             !choice.walls) {
             m.boundaries.pressure_drop = gradient * m.lattice.nx;

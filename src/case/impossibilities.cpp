@@ -242,10 +242,11 @@ void judge_walls(Judge& judge, const Case& c) {
             judge.tell({"domain.sides"},
                        "a stenosis narrows the way between two walls; write sides = \"walls\"");
         if (stenosis->throat >= box.width)
-            judge.tell({"geometry.throat"},
-                       fmt::format("the throat is {} wide and the channel {}; write throat = \"{}\"",
-                                   to_text(stenosis->throat), to_text(box.width),
-                                   rounded_text(Length{0.5 * box.width.si}, 3)));
+            judge.tell(
+                {"geometry.throat"},
+                fmt::format("the throat is {} wide and the channel {}; write throat = \"{}\"",
+                            to_text(stenosis->throat), to_text(box.width),
+                            rounded_text(Length{0.5 * box.width.si}, 3)));
         if (stenosis->throat_length > box.length)
             judge.tell({"geometry.throat_length"},
                        fmt::format("the throat is {} long and the channel {}; write a longer "

@@ -87,7 +87,8 @@ std::vector<Placement> placements(const Case& c, const Model& m, const std::vect
         return cells;
     }
     if (std::holds_alternative<AtRandom>(c.cells.layout))
-        return random_placements(shape, number(1), {m.lattice, m.boundaries.walls.get()}, seed, watch);
+        return random_placements(shape, number(1), {m.lattice, m.boundaries.walls.get()}, seed,
+                                 watch);
     if (const auto* layout = std::get_if<AtPositions>(&c.cells.layout)) {
         std::vector<Placement> cells;
         for (const auto& p : layout->positions) {

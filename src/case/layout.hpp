@@ -17,7 +17,8 @@ struct Room {
     Room(const Lattice& b, const Walls* w = nullptr) : box(b), walls(w) {}
     /// Of what is open [sites].
     double area() const {
-        return walls ? static_cast<double>(walls->open_sites()) : static_cast<double>(box.nx) * box.ny;
+        return walls ? static_cast<double>(walls->open_sites())
+                     : static_cast<double>(box.nx) * box.ny;
     }
 };
 

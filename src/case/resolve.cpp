@@ -23,7 +23,9 @@ std::string line(std::string_view key, double value) {
 }  // namespace
 
 Case named_by_content(Case c) {
-    const auto name = [](const std::string& bytes) { return "content " + hexadecimal(checksum(bytes)); };
+    const auto name = [](const std::string& bytes) {
+        return "content " + hexadecimal(checksum(bytes));
+    };
     if (const CellOutline* outline = c.cells.outline())
         std::get<OutlineShape>(c.cells.shape).file = name(outline->bytes);
     if (auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape)) drawn->file = name(drawn->bytes);
@@ -38,7 +40,8 @@ std::vector<InputFile> inputs_of(const Case& c) {
         inputs.push_back({"inputs/" + name, bytes});
     };
     if (const CellOutline* outline = c.cells.outline()) add(outline->file, outline->bytes);
-    if (const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape)) add(drawn->file, drawn->bytes);
+    if (const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape))
+        add(drawn->file, drawn->bytes);
     return inputs;
 }
 

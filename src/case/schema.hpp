@@ -4,6 +4,7 @@
 #include "case/case.hpp"
 #include "case/schema_cells.hpp"
 #include "case/schema_flow.hpp"
+#include "case/schema_geometry.hpp"
 
 namespace tt {
 

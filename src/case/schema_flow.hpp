@@ -32,68 +32,6 @@ struct FieldList<DomainCase> {
 };
 
 template <>
-struct FieldList<StenosisShape> {
-    using T = StenosisShape;
-    static constexpr auto entries = std::tuple{
-        FieldEntry{"throat", &T::throat, "width where it is narrowest", box_size, {}, "8 um"},
-        FieldEntry{"throat_length",
-                   &T::throat_length,
-                   "from where the walls begin to close in, as a cosine, to where they are apart "
-                   "again",
-                   box_size,
-                   {},
-                   "60 um"},
-    };
-};
-
-template <>
-struct FieldList<PostsShape> {
-    using T = PostsShape;
-    static constexpr auto entries = std::tuple{
-        FieldEntry{"diameter", &T::diameter, "of each post", box_size, {}, "14 um"},
-        FieldEntry{"columns", &T::columns, "evenly over the length", Range{1.0, 1e4}, {}, "10"},
-        FieldEntry{"rows", &T::rows, "evenly over the width", Range{1.0, 1e4}, {}, "2"},
-        FieldEntry{"row_shift",
-                   &T::row_shift,
-                   "of each column against the one before, upwards, in spacings of rows",
-                   Range{-0.5, 0.5},
-                   {},
-                   "0.1"},
-    };
-};
-
-template <>
-struct FieldList<DrawnShape> {
-    using T = DrawnShape;
-    static constexpr auto entries = std::tuple{
-        FieldEntry{"file",
-                   &T::file,
-                   "closed loops of points, x,y one a line, parted by empty lines, from the lower "
-                   "left corner of the box; relative to the case file",
-                   any_value,
-                   {},
-                   "walls.csv"},
-        FieldEntry{"unit",
-                   &T::unit,
-                   "of its numbers; else 1 um",
-                   Range{1e-10, 1.0},
-                   {},
-                   "1 um"},
-        FieldEntry{"fluid", &T::fluid,
-                   "on which side of the loops; a loop within a loop turns it round"},
-    };
-};
-
-template <>
-struct FieldList<GeometryCase> {
-    using T = GeometryCase;
-    static constexpr auto entries = std::tuple{
-        FieldEntry{"shape", &T::shape,
-                   "a straight channel, one with a stenosis, posts, or as drawn in a file"},
-    };
-};
-
-template <>
 struct FieldList<ChannelFlow> {
     using T = ChannelFlow;
     static constexpr auto entries = std::tuple{

@@ -109,9 +109,10 @@ std::vector<Loop> read_loops(std::string_view text, const std::string& name, dou
 
 double narrowest_gap(const Walls& walls) {
     // In the middle between two walls the distance is largest and its slope, by the sites around,
-    // small; in a corner it is not. Of a roof with slope 1 the gap is the sum at two neighbours, one
-    // on either side of the ridge, and 1.
-    constexpr double slightest = 0.6;  // 0.5 where the ridge lies between two sites, 0.7 in a right angle
+    // small; in a corner it is not. Of a roof with slope 1 the gap is the sum at two neighbours,
+    // one on either side of the ridge, and 1.
+    constexpr double slightest =
+        0.6;  // 0.5 where the ridge lies between two sites, 0.7 in a right angle
     double least = HUGE_VAL;
     const Field<double>& d = walls.distance;
     for (int j = 0; j < walls.lattice.ny; ++j)
@@ -123,18 +124,38 @@ double narrowest_gap(const Walls& walls) {
             };
             if (norm(slope) >= slightest || !(ridge(1, 0) || ridge(0, 1))) continue;
             const bool upright = d(i, j + 1) + d(i, j - 1) < d(i + 1, j) + d(i - 1, j);
-            const double there = upright ? std::max(d(i, j + 1), d(i, j - 1))
-                                         : std::max(d(i + 1, j), d(i - 1, j));
+            const double there =
+                upright ? std::max(d(i, j + 1), d(i, j - 1)) : std::max(d(i + 1, j), d(i - 1, j));
             least = std::min(least, d(i, j) + there + 1.0);
         }
     return least;
+}
+
+std::string description(const Walls& walls, double dx) {
+    const double gap = narrowest_gap(walls), open = static_cast<double>(walls.open_sites());
+    std::string text =
+        fmt::format("{:.1f} % of the box is open, narrowest gap {} ({:.3g} sites), {} links",
+                    100.0 * open / (static_cast<double>(walls.lattice.nx) * walls.lattice.ny),
+                    rounded_text(Length{gap * dx}, 3), gap, walls.links.size());
+    const WallRemarks& remarks = walls.remarks;
+    if (remarks.closed > 0)
+        text += fmt::format("; {} sites closed where a wall passes between two neighbours",
+                            remarks.closed);
+    if (remarks.pockets > 0) text += fmt::format("; {} sites in pockets closed", remarks.pockets);
+    if (remarks.single > 0)
+        text += fmt::format(
+            "; {} links without a second site behind, where walls are taken as "
+            "half-way",
+            remarks.single);
+    return text;
 }
 
 std::vector<std::string> faults_of(const Walls& walls, double dx) {
     std::vector<std::string> faults;
     if (walls.open_sites() == 0) {
         faults.push_back(
-            "[geometry] leaves no room for fluid: nothing in the box is open; draw loops within the "
+            "[geometry] leaves no room for fluid: nothing in the box is open; draw loops within "
+            "the "
             "box, or write fluid = \"inside\" or \"outside\" the other way round");
         return faults;
     }

@@ -50,8 +50,7 @@ void make_one_sided(Block& b) {
     if (!solve(about(b.x, mx, b.x, mx), about(b.x, mx, b.y, my), about(b.y, my, b.y, my), mx, my,
                0.1, sx, sy))
         return;
-    for (int k = 0; k < b.count; ++k)
-        b.weight[k] *= 1.0 - sx * (b.x[k] - mx) - sy * (b.y[k] - my);
+    for (int k = 0; k < b.count; ++k) b.weight[k] *= 1.0 - sx * (b.x[k] - mx) - sy * (b.y[k] - my);
 }
 
 template <class Real>
@@ -200,10 +199,10 @@ template void cut_at_walls(const Walls&, const Suspension&, Stencils<float>&, Cu
 template void spread_cut(Order, const CutStencils<double>&, const Suspension&,
                          VectorField<double>&);
 template void spread_cut(Order, const CutStencils<float>&, const Suspension&, VectorField<float>&);
-template void interpolate_cut(Order, CutStencils<double>&, const VectorField<double>&,
-                              Suspension&, int);
-template void interpolate_cut(Order, CutStencils<float>&, const VectorField<float>&,
-                              Suspension&, int);
+template void interpolate_cut(Order, CutStencils<double>&, const VectorField<double>&, Suspension&,
+                              int);
+template void interpolate_cut(Order, CutStencils<float>&, const VectorField<float>&, Suspension&,
+                              int);
 
 template void weaken_dipoles(const CutStencils<double>&, Suspension&);
 template void weaken_dipoles(const CutStencils<float>&, Suspension&);

@@ -26,12 +26,12 @@ struct CutStencils {
     std::vector<std::vector<CutStencil<Real>>> of_cell;
 };
 
-/// Makes the weights of the nodes beside walls one-sided: w_k = φ_k (a + b·r_k) over the open sites,
-/// r = site − node, with a and b such that Σ w = 1 and Σ w r = 0. Force and torque are conserved up
-/// to the wall and a linear velocity is interpolated exactly, as beside the lattice's own walls;
-/// slopes are w M⁻¹ r, M = Σ w r rᵀ. Where the open sites do not span the plane the weights are φ
-/// over its sum; a node without any open site gives and takes nothing. In `stencils`, which hold
-/// the kernel's weights, such nodes weigh nothing from then on. Team function, by cells.
+/// Makes the weights of the nodes beside walls one-sided: w_k = φ_k (a + b·r_k) over the open
+/// sites, r = site − node, with a and b such that Σ w = 1 and Σ w r = 0. Force and torque are
+/// conserved up to the wall and a linear velocity is interpolated exactly, as beside the lattice's
+/// own walls; slopes are w M⁻¹ r, M = Σ w r rᵀ. Where the open sites do not span the plane the
+/// weights are φ over its sum; a node without any open site gives and takes nothing. In `stencils`,
+/// which hold the kernel's weights, such nodes weigh nothing from then on. Team function, by cells.
 template <class Real>
 void cut_at_walls(const Walls& walls, const Suspension& cells, Stencils<Real>& stencils,
                   CutStencils<Real>& cut);

@@ -32,9 +32,9 @@ public:
     virtual void fold(VectorField<float>& field) = 0;
 };
 
-/// Ends a pass of `collide_and_stream`: walls answered, halo in line, phase flipped, so that between
-/// steps every population can be read and the next pass can start. Team function; waits until all
-/// rows have been passed, and is done when all threads have returned.
+/// Ends a pass of `collide_and_stream`: walls answered, halo in line, phase flipped, so that
+/// between steps every population can be read and the next pass can start. Team function; waits
+/// until all rows have been passed, and is done when all threads have returned.
 template <class Real>
 void settle(Exchange& exchange, WallLinks<Real>& links, Populations<Real>& populations) {
     const Phase done = populations.phase;

@@ -106,8 +106,7 @@ void return_from_walls(const Walls& walls, const Departures& g, Populations<Real
         const WallLink& link = walls.links[l];
         const int i = link.direction;
         next.set_slot(i, link.i, link.j,
-                      returned[l] -
-                          d2q9::weight[i] * excess[link.loop] / weight[link.loop]);
+                      returned[l] - d2q9::weight[i] * excess[link.loop] / weight[link.loop]);
     }
 }
 

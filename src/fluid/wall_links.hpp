@@ -24,7 +24,8 @@ constexpr double link_gain(const WallLink& link) {
 /// interpolation (CLI; Ginzburg, Verhaeghe and d'Humières 2008). Of site x with the wall at the
 /// share q of the way to x − c_i, ī the opposite of i and g what departs,
 ///
-///     f_i(x) = g_ī(x) + κ (g_ī(x + c_i) − g_i(x)) + 12/(1 + 2q) w_i c_i·u_w,   κ = (1 − 2q)/(1 + 2q):
+///     f_i(x) = g_ī(x) + κ (g_ī(x + c_i) − g_i(x)) + 12/(1 + 2q) w_i c_i·u_w,   κ = (1 − 2q)/(1 +
+///     2q):
 ///
 /// second order, the same at any relaxation time with two of them, half-way bounce-back for q = ½.
 /// Interpolation alone would let mass through a wall; what all links of a loop together gain is

@@ -196,8 +196,7 @@ void measure_distances(const WallBins& bins, Walls& walls) {
     }
     for_each([&](int i, int j) {
         double& away = walls.distance(i, j);
-        if (lattice.walls)
-            away = std::min(away, std::min(j + 0.5, lattice.ny - (j + 0.5)));
+        if (lattice.walls) away = std::min(away, std::min(j + 0.5, lattice.ny - (j + 0.5)));
         if (!walls.is_open(i, j)) away = -std::fabs(away);
     });
 }
@@ -215,8 +214,8 @@ double Walls::distance_at(Vec2 place) const {
     const double y = lattice.walls ? place.y - 0.5
                                    : place.y - lattice.ny * std::floor(place.y / lattice.ny) - 0.5;
     const int i = static_cast<int>(std::floor(x));
-    const int j = std::clamp(static_cast<int>(std::floor(y)), -Lattice::halo,
-                             lattice.ny + Lattice::halo - 2);
+    const int j =
+        std::clamp(static_cast<int>(std::floor(y)), -Lattice::halo, lattice.ny + Lattice::halo - 2);
     const double a = x - i, b = y - j;
     return (1.0 - b) * ((1.0 - a) * distance(i, j) + a * distance(i + 1, j)) +
            b * ((1.0 - a) * distance(i, j + 1) + a * distance(i + 1, j + 1));

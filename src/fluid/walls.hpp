@@ -33,15 +33,15 @@ struct WallRemarks {
 };
 
 /// Walls of any shape on a lattice: which sites are open to the fluid, and the links that the walls
-/// cut. Sites are open or not by the even–odd rule. Nothing passes through a wall, however thin: where
-/// one stands between two open neighbours the nearer of them is closed, but for the tip of a corner
-/// between two neighbours on a diagonal that fluid goes round.
+/// cut. Sites are open or not by the even–odd rule. Nothing passes through a wall, however thin:
+/// where one stands between two open neighbours the nearer of them is closed, but for the tip of a
+/// corner between two neighbours on a diagonal that fluid goes round.
 struct Walls {
     Lattice lattice;
     Solid solid;  ///< as drawn, in sites
     std::vector<WallSegment> segments;
-    Field<std::uint8_t> open;     ///< 1 or 0; the halo too
-    std::vector<int> first_run;   ///< of each row, and the end
+    Field<std::uint8_t> open;    ///< 1 or 0; the halo too
+    std::vector<int> first_run;  ///< of each row, and the end
     std::vector<OpenRun> runs;
     std::vector<WallLink> links;  ///< by loop, then by row and column
     /// To the nearest wall, those of the lattice included [sites]; negative in the solid; the halo

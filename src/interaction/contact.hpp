@@ -25,10 +25,10 @@ using ContactLaw = std::variant<NoContact, Morse>;
 struct ContactModel {
     ContactLaw law;
     Nearest nearest = Nearest::segment;
-    double range = 0.0;               ///< query range R
-    double repulsion_range = 0.0;     ///< short-range repulsion below this gap; 0: off
-    double repulsion_strength = 0.0;  ///< its pressure at zero gap
-    int interval = 1;                 ///< steps from one measurement of the gaps to the next
+    double range = 0.0;                  ///< query range R
+    double repulsion_range = 0.0;        ///< short-range repulsion below this gap; 0: off
+    double repulsion_strength = 0.0;     ///< its pressure at zero gap
+    int interval = 1;                    ///< steps from one measurement of the gaps to the next
     std::shared_ptr<const Walls> walls;  ///< of any shape; none: those of the lattice
 
     /// How far apart two membranes can feel each other; 0: nothing to do.

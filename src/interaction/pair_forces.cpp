@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/isa.hpp"
 #include "base/parallel.hpp"
@@ -111,41 +112,41 @@ void add_hits(Suspension& cells, const ContactState& contact, int begin, int end
     }
 }
 
-/// The same of walls of any shape, away from the nearest point of them.
-std::int64_t repel_from_walls(const ContactModel& model, const Walls& walls, Suspension& cells,
-                              int cell) {
-    const ShortRangeRepulsion repulsion{model.repulsion_range, model.repulsion_strength};
+/// Pushes the nodes of one cell by the pressure that `pressure_at(node)` gives, directed, if any;
+/// returns how many it pushed.
+template <class Pressure>
+std::int64_t push_nodes(Suspension& cells, int cell, Pressure&& pressure_at) {
     const int first = cells.first[cell], last = cells.first[cell + 1] - 1;
     std::int64_t count = 0;
     for (int k = first; k <= last; ++k) {
-        const double gap = walls.distance_at(cells.position(k));
-        if (gap >= repulsion.range) continue;
-        const double share = share_of(cells.x.data(), cells.y.data(), first, last, k);
-        const Vec2 force = 2.0 * share * repulsion.pressure(gap) * walls.away_at(cells.position(k));
-        cells.pair_fx[k] += force.x;
-        cells.pair_fy[k] += force.y;
+        const std::optional<Vec2> pressure = pressure_at(k);
+        if (!pressure) continue;
+        const double length = 2.0 * share_of(cells.x.data(), cells.y.data(), first, last, k);
+        cells.pair_fx[k] += pressure->x * length;
+        cells.pair_fy[k] += pressure->y * length;
         ++count;
     }
     return count;
 }
 
-/// Short-range repulsion of the walls at y = 0 and y = ny from the nodes of one cell; returns how
-/// many felt it.
+/// Short-range repulsion of the walls from the nodes of one cell: of those at y = 0 and y = ny, or
+/// of walls of any shape, away from their nearest point. Returns how many felt it.
 std::int64_t repel_from_walls(const ContactModel& model, const Lattice& lattice, Suspension& cells,
                               int cell) {
     const ShortRangeRepulsion repulsion{model.repulsion_range, model.repulsion_strength};
-    const int first = cells.first[cell], last = cells.first[cell + 1] - 1;
-    std::int64_t count = 0;
-    for (int k = first; k <= last; ++k) {
-        const double below = cells.y[k];
-        const double above = lattice.ny - cells.y[k];
-        if (below >= repulsion.range && above >= repulsion.range) continue;
-        const double pressure = repulsion.pressure(below) - repulsion.pressure(above);
-        cells.pair_fy[k] +=
-            pressure * 2.0 * share_of(cells.x.data(), cells.y.data(), first, last, k);
-        ++count;
-    }
-    return count;
+    if (const Walls* walls = model.walls.get())
+        return push_nodes(cells, cell, [&](int k) -> std::optional<Vec2> {
+            const Vec2 here = cells.position(k);
+            const double gap = walls->distance_at(here);
+            if (gap >= repulsion.range) return std::nullopt;
+            return repulsion.pressure(gap) * walls->away_at(here);
+        });
+    if (!lattice.walls) return 0;
+    return push_nodes(cells, cell, [&](int k) -> std::optional<Vec2> {
+        const double below = cells.y[k], above = lattice.ny - cells.y[k];
+        if (below >= repulsion.range && above >= repulsion.range) return std::nullopt;
+        return Vec2{0.0, repulsion.pressure(below) - repulsion.pressure(above)};
+    });
 }
 
 /// The smallest gap of all cells, and how often the repulsion acted.
@@ -171,9 +172,7 @@ void measure_pair_forces(const ContactModel& model, const Lattice& lattice, Susp
         find_hits(model, cells, contact, c, drift);
         measure_hits(cells.x.data(), cells.y.data(), node, node + count - 1, mine.hits);
         set_pressures(model, cells.alpha[c], mine);
-        if (model.walls && model.repulsion_range > 0.0)
-            mine.repelled += repel_from_walls(model, *model.walls, cells, c);
-        else if (lattice.walls && model.repulsion_range > 0.0)
+        if (model.repulsion_range > 0.0)
             mine.repelled += repel_from_walls(model, lattice, cells, c);
     }
     team_barrier();  // all have their hits

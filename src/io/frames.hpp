@@ -26,8 +26,8 @@ struct FramesHeader {
     /// Of the segment from each node to its successor, without tension [m]; dataset. Empty in files
     /// of other writers.
     std::vector<double> rest_length;
-    /// Walls that are not those of the box: x, y of their corners [m], wall_first[w] … wall_first[w +
-    /// 1] of loop w; solid is what an odd number of loops goes around. Datasets; absent without.
+    /// Walls that are not those of the box: x, y of their corners [m], wall_first[w] … wall_first[w
+    /// + 1] of loop w; solid is what an odd number of loops goes around. Datasets; absent without.
     std::vector<double> walls;
     std::vector<std::int32_t> wall_first;
     bool compressed = false;  ///< of frames to be written

@@ -92,8 +92,8 @@ struct CellMesh {
              std::span<const std::array<int, 3>> inside);
 };
 
-void CellMesh::add(int cell, int image, std::int64_t begin, std::span<const Vec2> nodes,
-                   Vec2 shift, std::span<const std::array<int, 3>> inside) {
+void CellMesh::add(int cell, int image, std::int64_t begin, std::span<const Vec2> nodes, Vec2 shift,
+                   std::span<const std::array<int, 3>> inside) {
     const auto first = static_cast<std::int64_t>(points.size());
     std::vector<std::int64_t> ring;
     for (std::size_t k = 0; k < nodes.size(); ++k) {

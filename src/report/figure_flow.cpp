@@ -73,7 +73,8 @@ std::string outlines_text(const FramesHeader& grid, const Frame& frame) {
         for (const Vec2 shift : image_shifts(grid, nodes, cell)) {
             for (int k = begin; k <= end; ++k) {
                 const Vec2 p = nodes[static_cast<std::size_t>(k == end ? begin : k)];
-                text += fmt::format("{:.5g} {:.5g} {}\n", (p.x + shift.x) * 1e6, (p.y + shift.y) * 1e6, cell);
+                text += fmt::format("{:.5g} {:.5g} {}\n", (p.x + shift.x) * 1e6,
+                                    (p.y + shift.y) * 1e6, cell);
             }
             text += '\n';
         }
@@ -186,8 +187,9 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
                         grid.length * 1e6, grid.width * 1e6, std::max(fastest * factor, 1e-9));
     if (!grid.wall_first.empty()) {  // where there is no speed, in walls, the ground shows
         write_text(out / "walls.dat", walls_text(grid));
-        body += "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb \"#8a8a8a\" fs solid "
-                "noborder\n";
+        body +=
+            "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb \"#8a8a8a\" fs solid "
+            "noborder\n";
     }
     const int panels = static_cast<int>(frames.size());
     for (int k = 0; k < panels; ++k) {

@@ -25,8 +25,8 @@ std::vector<Vec2> wrapped_nodes(const FramesHeader& header, const Frame& frame) 
         const auto end = static_cast<std::size_t>(header.first[c + 1]);
         Vec2 mean{};
         for (std::size_t k = begin; k < end; ++k)
-            mean += Vec2{frame.nodes[2 * k], frame.nodes[2 * k + 1]} /
-                    static_cast<double>(end - begin);
+            mean +=
+                Vec2{frame.nodes[2 * k], frame.nodes[2 * k + 1]} / static_cast<double>(end - begin);
         const Vec2 shift{header.length * std::floor(mean.x / header.length),
                          header.width * std::floor(mean.y / header.width)};
         for (std::size_t k = begin; k < end; ++k)

@@ -13,8 +13,8 @@ namespace tt {
 /// Of the frames that hold fields, the one nearest to a time [s]; nothing if there is none.
 std::optional<int> nearest_field(const FramesReader& frames, double time);
 
-/// Node positions of a frame [m], each cell moved by whole lengths and widths of the box so that the
-/// mean of its nodes lies in it. (Between walls a cell never leaves along y.)
+/// Node positions of a frame [m], each cell moved by whole lengths and widths of the box so that
+/// the mean of its nodes lies in it. (Between walls a cell never leaves along y.)
 std::vector<Vec2> wrapped_nodes(const FramesHeader& header, const Frame& frame);
 
 /// Length of the segment that starts at each node [m].
@@ -23,7 +23,7 @@ std::vector<double> segment_lengths(const FramesHeader& header, const Frame& fra
 /// By how much to move a cell of `wrapped_nodes` [m] to draw it and its images that reach into the
 /// box: 0 first, then whole lengths and widths of the box.
 std::vector<Vec2> image_shifts(const FramesHeader& header, const std::vector<Vec2>& wrapped,
-                                 int cell);
+                               int cell);
 
 /// The frames of a results directory; tells the user what is damaged. Throws IoError if none can be
 /// read.

@@ -117,16 +117,15 @@ std::string with_minus(std::string text) {
 /// Walls that are not those of the box.
 std::string walls_words(const Results& run) {
     const std::string shape = run.setting("geometry.shape");
-    const auto key = [&](const char* name) {
-        return run.setting(std::string("geometry.") + name);
-    };
+    const auto key = [&](const char* name) { return run.setting(std::string("geometry.") + name); };
     if (shape == "stenosis")
         return fmt::format("Its walls narrow it to {} in the middle, over {}.",
                            pretty(key("throat")), pretty(key("throat_length")));
     if (shape == "posts")
-        return fmt::format("It holds {} × {} posts of {}; each column is {} rows higher than the one "
-                           "before.",
-                           key("columns"), key("rows"), pretty(key("diameter")), key("row_shift"));
+        return fmt::format(
+            "It holds {} × {} posts of {}; each column is {} rows higher than the one "
+            "before.",
+            key("columns"), key("rows"), pretty(key("diameter")), key("row_shift"));
     if (shape == "file") return fmt::format("Its walls are those of {}.", key("file"));
     return {};
 }
@@ -138,8 +137,8 @@ std::string case_in_words(const Results& run) {
     const std::string length = run.setting("domain.length"), width = run.setting("domain.width");
     if (!length.empty() && !width.empty())
         text = fmt::format("A box {} long (periodic) and {} wide.", pretty(length), pretty(width));
-    for (const std::string& sentence :
-         {walls_words(run), flow_words(run), cells_words(run), membrane_words(run), grid_words(run)})
+    for (const std::string& sentence : {walls_words(run), flow_words(run), cells_words(run),
+                                        membrane_words(run), grid_words(run)})
         if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
     return text;
 }

@@ -80,7 +80,8 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     update_viscosity(m.viscosity, s.interior, sites.relaxation);
     done(Pass::viscosity);
 
-    collide_and_stream(m.equilibrium, m.boundaries, {s.drive.body_force, m.drive.lean * s.drive.body_force}, force,
+    collide_and_stream(m.equilibrium, m.boundaries,
+                       {s.drive.body_force, m.drive.lean * s.drive.body_force}, force,
                        sites.relaxation, sites.populations, velocity);  // Eqs. 1–4
     x.fill(velocity);
     settle(x, sites.links, sites.populations);  // waits until all velocities are there

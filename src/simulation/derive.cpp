@@ -48,8 +48,7 @@ Field<> density_of_drop(const Model& model) {
     const double drop = model.boundaries.pressure_drop / d2q9::sound_speed_squared;
     Field<> density(lattice);
     for (int j = 0; j < lattice.ny; ++j)
-        for (int i = 0; i < lattice.nx; ++i)
-            density(i, j) = (0.5 - (i + 0.5) / lattice.nx) * drop;
+        for (int i = 0; i < lattice.nx; ++i) density(i, j) = (0.5 - (i + 0.5) / lattice.nx) * drop;
     return density;
 }
 

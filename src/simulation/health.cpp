@@ -105,8 +105,9 @@ std::optional<Instability> node_places(const Model& model, const State& state, R
         const bool known = std::abs(x) < farthest && std::abs(y) < farthest;
         if (known && (!model.lattice.walls || (y > 0.0 && y < height))) {
             if (!walls || walls->distance_at({x, y}) > 0.0) continue;
-            Instability what = fault_at_node(
-                model, state, n, {"distance to the wall", walls->distance_at({x, y}), 0.0, "sites"});
+            Instability what =
+                fault_at_node(model, state, n,
+                              {"distance to the wall", walls->distance_at({x, y}), 0.0, "sites"});
             what.cause = "a node went through a wall";
             what.cure = smaller_step;
             return what;

@@ -38,8 +38,8 @@ struct Settling {
         relaxation.odd.fill(rates.odd);
     }
     void step() {
-        collide_and_stream(LinearEquilibrium{}, boundaries, push, no_force, relaxation,
-                           populations, velocity);
+        collide_and_stream(LinearEquilibrium{}, boundaries, push, no_force, relaxation, populations,
+                           velocity);
         settle(exchange, links, populations);
         team_barrier();
     }
@@ -121,7 +121,6 @@ void keep_along_x(const Walls& walls, int threads, UndisturbedFlow& flow) {
 }
 
 }  // namespace
-
 
 template <class Real>
 double flow_beside_walls(const Walls& walls, const Field<Real>& u) {

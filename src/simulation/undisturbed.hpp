@@ -6,12 +6,12 @@
 namespace tt {
 
 /// The steady flow of plasma alone, without inertia, between walls of any shape, driven by a force
-/// along x; and, where y is periodic, by as much along y as makes the mean flow go along x: an array
-/// of posts that leans would turn it aside. In units in which its mean velocity along x, over all of
-/// the box, is 1 and so is a site.
+/// along x; and, where y is periodic, by as much along y as makes the mean flow go along x: an
+/// array of posts that leans would turn it aside. In units in which its mean velocity along x, over
+/// all of the box, is 1 and so is a site.
 struct UndisturbedFlow {
     VectorField<> velocity;
-    Field<> density;           ///< deviation times viscosity, p = ρ/3: what varies about the mean drop
+    Field<> density;  ///< deviation times viscosity, p = ρ/3: what varies about the mean drop
     double conductance = 0.0;  ///< Q ν/g of flow rate and force; ny³/12 of a straight channel
     double lean = 0.0;         ///< force along y over that along x
     double site_mean = 1.0;    ///< mean of u_x over all sites, a little off the mean velocity
@@ -20,8 +20,8 @@ struct UndisturbedFlow {
 };
 
 /// What the sum of u_x over the sites lacks of nx times the flow rate: beside a wall at the share q
-/// of a spacing, with a velocity that grows linearly from it, a column of sites leaves out, or counts
-/// twice, u′ ((q − ½)²/2 − 1/24).
+/// of a spacing, with a velocity that grows linearly from it, a column of sites leaves out, or
+/// counts twice, u′ ((q − ½)²/2 − 1/24).
 template <class Real>
 double flow_beside_walls(const Walls& walls, const Field<Real>& ux);
 

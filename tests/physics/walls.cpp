@@ -66,15 +66,16 @@ double couette_error(double outer, double tau) {
     Walls walls = make_walls(solid, Lattice{size, size, false});
     const double spin = 0.02 / outer;
     for (WallLink& link : walls.links) {
-        const Vec2 at = Lattice::position(link.i, link.j) -
-                        link.q * Vec2{double(d2q9::cx[link.direction]),
-                                      double(d2q9::cy[link.direction])} -
-                        centre;
+        const Vec2 at =
+            Lattice::position(link.i, link.j) -
+            link.q * Vec2{double(d2q9::cx[link.direction]), double(d2q9::cy[link.direction])} -
+            centre;
         if (link.loop == 0) link.velocity = spin * Vec2{-at.y, at.x};
     }
     Flow flow = flow_with(walls, tau);
     const double viscosity = (tau - 0.5) / 3.0;
-    const VectorField<> u = steady(flow, 500 + static_cast<long long>(3.0 * outer * outer / viscosity));
+    const VectorField<> u =
+        steady(flow, 500 + static_cast<long long>(3.0 * outer * outer / viscosity));
     const double a = spin * outer * outer / (outer * outer - inner * inner);
     double error = 0.0, total = 0.0;
     for (int j = 0; j < size; ++j)
@@ -141,7 +142,8 @@ TEST(Walls, flow_in_inclined_channels) {
             const double usual = inclined_error(slope.length, slope.rise, 20.0, offset, 1.5);
             EXPECT_LT(std::abs(usual), 0.005) << slope.length << " " << offset;
             for (const double tau : {0.6, 5.5})
-                EXPECT_NEAR(inclined_error(slope.length, slope.rise, 20.0, offset, tau), usual, 1e-3)
+                EXPECT_NEAR(inclined_error(slope.length, slope.rise, 20.0, offset, tau), usual,
+                            1e-3)
                     << tau;
         }
     }
@@ -173,7 +175,8 @@ TEST(Walls, drag_of_square_arrays_of_posts) {
             const double usual = array_drag(40, a.share, 1.5, centre) / a.drag - 1.0;
             EXPECT_LT(std::abs(usual), a.bound) << centre.x;
             for (const double tau : {0.6, 5.5})
-                EXPECT_NEAR(array_drag(40, a.share, tau, centre) / a.drag - 1.0, usual, 1e-6) << tau;
+                EXPECT_NEAR(array_drag(40, a.share, tau, centre) / a.drag - 1.0, usual, 1e-6)
+                    << tau;
             coarse = std::max(coarse, std::abs(usual));
             fine = std::max(fine, std::abs(array_drag(80, a.share, 1.5, centre) / a.drag - 1.0));
         }
@@ -183,11 +186,12 @@ TEST(Walls, drag_of_square_arrays_of_posts) {
 
 /// Flow rate times viscosity over force of plasma alone, µm³, of a case with this [geometry].
 double conductance_of(const std::string& domain, const std::string& geometry, double spacing) {
-    const Case c = parse_case(fmt::format("format = 1\n[domain]\n{}\n[geometry]\n{}\n[flow]\ndrive = "
-                                          "\"body-force\"\nmean_velocity = \"1 mm/s\"\n[numerics]\n"
-                                          "fluid_only = true\ndx = \"{} um\"\n[time]\nend = \"1 ms\"\n",
-                                          domain, geometry, spacing),
-                              "test");
+    const Case c =
+        parse_case(fmt::format("format = 1\n[domain]\n{}\n[geometry]\n{}\n[flow]\ndrive = "
+                               "\"body-force\"\nmean_velocity = \"1 mm/s\"\n[numerics]\n"
+                               "fluid_only = true\ndx = \"{} um\"\n[time]\nend = \"1 ms\"\n",
+                               domain, geometry, spacing),
+                   "test");
     return choose(c).undisturbed->conductance * std::pow(spacing, 3);
 }
 
@@ -204,25 +208,25 @@ double reference(const std::string& start) {
 // of a channel driven by the force Δp/L.
 TEST(Walls, flow_through_a_stenosis_around_posts_and_arrays_of_them) {
     const std::string channel = "width = \"20 um\"\nlength = ";
-    const std::string throat =
-        "shape = \"stenosis\"\nthroat = \"8 um\"\nthroat_length = \"60 um\"";
+    const std::string throat = "shape = \"stenosis\"\nthroat = \"8 um\"\nthroat_length = \"60 um\"";
     EXPECT_NEAR(conductance_of(channel + "\"120 um\"", throat, 0.5) /
                     (120.0 * reference("stenosis,G,um^2,")),
                 1.0, 0.005);
-    EXPECT_NEAR(conductance_of(channel + "\"80 um\"", "shape = \"posts\"\ndiameter = \"10 um\"",
-                               0.3125) /
-                    (80.0 * reference("cylinder_centred,G,um^2,")),
-                1.0, 0.005);
+    EXPECT_NEAR(
+        conductance_of(channel + "\"80 um\"", "shape = \"posts\"\ndiameter = \"10 um\"", 0.3125) /
+            (80.0 * reference("cylinder_centred,G,um^2,")),
+        1.0, 0.005);
     const std::string array = "width = \"24 um\"\nsides = \"periodic\"\nlength = ";
     const std::string posts = "shape = \"posts\"\ndiameter = \"14 um\"\n";
-    EXPECT_NEAR(conductance_of(array + "\"24 um\"", posts, 0.6) /
-                    (24.0 * reference("post_array,K,um^2,")),
-                1.0, 0.007);
+    EXPECT_NEAR(
+        conductance_of(array + "\"24 um\"", posts, 0.6) / (24.0 * reference("post_array,K,um^2,")),
+        1.0, 0.007);
     // Posts whose columns climb turn the flow aside unless something acts against it.
-    EXPECT_NEAR(conductance_of(array + "\"240 um\"", posts + "columns = 10\nrow_shift = 0.1", 0.6) /
-                    (24.0 * reference("dld_cell,mean velocity along x times mu over g_x with no mean "
-                                      "flow across,um^2,")),
-                1.0, 0.007);
+    EXPECT_NEAR(
+        conductance_of(array + "\"240 um\"", posts + "columns = 10\nrow_shift = 0.1", 0.6) /
+            (24.0 * reference("dld_cell,mean velocity along x times mu over g_x with no mean "
+                              "flow across,um^2,")),
+        1.0, 0.007);
 }
 
 /// Where a capsule is, and how stretched.
@@ -267,12 +271,13 @@ end = "20 ms"
     while (way.empty() || way.back().x < until) {
         for (int k = 0; k < 20; ++k) advance(model, state, ends);
         const CellMeasures m = measure_cell(model, state, 0);
-        way.push_back({m.x.si * 1e6, static_cast<double>(state.step) * model.scales.time, m.lambda_C});
+        way.push_back(
+            {m.x.si * 1e6, static_cast<double>(state.step) * model.scales.time, m.lambda_C});
     }
     return way;
 }
 
-double at(const std::vector<Passage>& way, double x, double Passage::* what) {
+double at(const std::vector<Passage>& way, double x, double Passage::*what) {
     const auto after =
         std::find_if(way.begin(), way.end(), [&](const Passage& p) { return p.x >= x; });
     const Passage &a = *(after - 1), &b = *after;

@@ -116,8 +116,8 @@ double worst_difference(const Scene<Real>& a, const Scene<Real>& b) {
     double worst = 0.0;
     for_each_open(*a.boundaries.walls, [&](int i, int j) {
         for (int k = 0; k < d2q9::count; ++k)
-            worst = std::max(worst, std::abs(a.populations.arriving(k, i, j) -
-                                             b.populations.arriving(k, i, j)));
+            worst = std::max(
+                worst, std::abs(a.populations.arriving(k, i, j) - b.populations.arriving(k, i, j)));
     });
     return worst;
 }

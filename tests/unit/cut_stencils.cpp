@@ -83,7 +83,9 @@ TEST(CutStencils, put_no_force_into_a_wall_and_keep_its_sum_and_torque) {
         for (int i = -2; i < box.nx + 2; ++i) {
             on_sites += force(i, j);
             torque -= cross(Lattice::position(i, j), force(i, j));
-            if (!c.walls.open(i, j)) { EXPECT_EQ(norm(force(i, j)), 0.0) << i << " " << j; }
+            if (!c.walls.open(i, j)) {
+                EXPECT_EQ(norm(force(i, j)), 0.0) << i << " " << j;
+            }
         }
     EXPECT_NEAR(on_sites.x, on_nodes.x, 1e-11);
     EXPECT_NEAR(on_sites.y, on_nodes.y, 1e-11);

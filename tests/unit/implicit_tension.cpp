@@ -55,8 +55,7 @@ TEST(ImplicitTension, velocities_are_those_with_the_tension_that_they_make) {
     Suspension cells = moving_cell(hardened_membrane());
     const Suspension before = cells;
     // So soft that eight sweeps are exact: each takes off 2 K/(1 + 2 K) of what is left.
-    const double soft =
-        0.2 / *std::max_element(cells.stiffness.begin(), cells.stiffness.end());
+    const double soft = 0.2 / *std::max_element(cells.stiffness.begin(), cells.stiffness.end());
     answer_with_tension(soft, cells, 0);
     double answered = 0.0;
     for (int k = 0; k < cells.node_count(); ++k) {

@@ -55,7 +55,8 @@ TEST(Walls, pockets_are_closed_and_parts_counted) {
 }
 
 TEST(Loops, of_a_text_are_parted_by_empty_lines_and_faults_have_their_line) {
-    const auto loops = read_loops("# walls\nx,y\n0,0\n4,0\n4,3\n\n\n1,1\n2,1\n2,2\n1,1\n", "w.csv", 1e-6);
+    const auto loops =
+        read_loops("# walls\nx,y\n0,0\n4,0\n4,3\n\n\n1,1\n2,1\n2,2\n1,1\n", "w.csv", 1e-6);
     ASSERT_EQ(loops.size(), 2u);
     EXPECT_EQ(loops[0].size(), 3u);
     EXPECT_EQ(loops[1].size(), 3u);
