@@ -78,20 +78,29 @@ void Checkpoints::resume(ArchiveReader& archive, const Observers& observers, boo
 std::optional<ArchiveReader> Checkpoints::newest(const std::function<void(const std::string&)>& say,
                                                  const std::function<void(ArchiveReader&)>& load) {
     std::string faults;
+    const auto pass_over = [&](const std::filesystem::path& path, const std::exception& error) {
+        // Out of the way, or the next save would keep it as the previous one.
+        move_into_place(path, damaged(), Durability::power);
+        say(fmt::format("checkpoint passed over: {}", error.what()));
+        faults += std::string(error.what()) + '\n';
+    };
     for (const auto& path : {current(), previous()}) {
         if (!std::filesystem::exists(path)) continue;
+        std::optional<ArchiveReader> archive;
         try {
-            ArchiveReader archive(path);
-            load(archive);
-            sync_file(path);  // the next one makes it the previous
-            saved_step_ = archive.value<std::int64_t>("step");
-            return archive;
+            archive.emplace(path);
+            load(*archive);
         } catch (const DamagedArchive& error) {
-            // Out of the way, or the next save would keep it as the previous one.
-            move_into_place(path, damaged(), Durability::power);
-            say(fmt::format("checkpoint passed over: {}", error.what()));
-            faults += std::string(error.what()) + '\n';
+            pass_over(path, error);
+            continue;
+        } catch (const IoError& error) {
+            if (archive) throw;  // of something else than this file
+            pass_over(path, error);
+            continue;
         }
+        sync_file(path);  // the next one makes it the previous
+        saved_step_ = archive->value<std::int64_t>("step");
+        return archive;
     }
     if (faults.empty()) return std::nullopt;
     throw DamagedArchive(

@@ -137,9 +137,9 @@ Results read_results(const fs::path& directory) {
     r.profiles = read_table(directory, "profiles.csv", r.faults);
     r.frames = read_frames(directory / "frames.h5", r.faults);
     read_failure(directory / "failure", r);
-    if (r.settings.empty() && r.series.names.empty() && !r.frames)
+    if (r.series.names.empty() && r.status.empty() && !r.frames && r.failure.empty())
         throw IoError(
-            fmt::format("{}: holds no results (no case, no series.csv, no frames.h5); "
+            fmt::format("{}: holds no results (no series.csv, no status.json, no frames.h5); "
                         "give a directory that `tanktread run` wrote",
                         directory.string()));
     r.name = case_name(r);

@@ -166,6 +166,18 @@ TEST_F(StopAndResume, a_damaged_checkpoint_is_passed_over_for_the_previous_one) 
         << "else the next save makes it the previous one";
 }
 
+TEST_F(StopAndResume, a_checkpoint_that_cannot_be_read_is_passed_over_for_the_previous_one) {
+    run_small(small_request(path("straight"), steps));
+    const RunRequest request = small_request(path("unreadable"), steps);
+    stop_midway(request);
+    const fs::path current = path("unreadable") / "checkpoint/current";
+    fs::remove(current);
+    fs::create_directory(current);  // cannot be read, by whoever runs the test
+    EXPECT_EQ(run_small(request).ending, RunOutcome::Ending::done);
+    expect_same_results(path("straight"), path("unreadable"));
+    EXPECT_NE(read_file(path("unreadable") / "run.log").find("cannot read"), std::string::npos);
+}
+
 TEST_F(StopAndResume, without_any_sound_checkpoint_nothing_is_overwritten) {
     const RunRequest request = small_request(path("damaged"), steps);
     stop_midway(request);

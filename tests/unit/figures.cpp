@@ -77,11 +77,15 @@ TEST(Figures, run_that_just_started_has_no_figures) {
 TEST(Results, directory_without_results_is_refused_by_name) {
     ScratchFolder scratch;
     fs::create_directory(scratch / "empty");
-    try {
-        read_results(scratch / "empty");
-        FAIL();
-    } catch (const IoError& error) {
-        EXPECT_NE(std::string(error.what()).find("holds no results"), std::string::npos);
+    fs::create_directory(scratch / "case");
+    replace_file(scratch / "case/case.toml", "name = \"channel\"\n", Durability::process);
+    for (const char* folder : {"empty", "case"}) {
+        try {
+            read_results(scratch / folder);
+            FAIL();
+        } catch (const IoError& error) {
+            EXPECT_NE(std::string(error.what()).find("holds no results"), std::string::npos);
+        }
     }
     EXPECT_THROW(read_results(scratch / "absent"), IoError);
 }

@@ -1,0 +1,105 @@
+#include <algorithm>
+#include <cmath>
+
+#include "case/pressing.hpp"
+#include "case/turning.hpp"
+#include "membrane/shapes.hpp"
+
+// How a cell that is pressed bends.
+
+namespace tt {
+namespace {
+
+/// The softest that cells become before they are found not to fit.
+constexpr double softest = 5e-4;
+
+}  // namespace
+
+void Pressing::dent(int cell, const Push& push) {
+    const Vec2 move = turned_back(cells_[cell].axis, push.move);
+    const auto add = [&](int k, double weight) {
+        dents_[k] += weight * move;
+        weights_[k] += weight;
+    };
+    add(push.edge, 1.0 - push.along);
+    add(wrapped(push.edge + 1, points_), push.along);
+}
+
+/// Bends a cell where it is pressed.
+void Pressing::bend(int c) {
+    Cell& cell = cells_[c];
+    if (cell.bend.empty()) cell.bend.resize(points_);
+    for (int k = 0; k < points_; ++k) cell.bend[k] += 0.5 / std::max(1.0, weights_[k]) * dents_[k];
+    spring_back(cell.bend);
+    hold_lengths(cell.bend);
+    hand_over_motion(cell);
+    hold_area(cell.bend);
+}
+
+/// Towards the shape at rest, and towards the neighbouring points.
+void Pressing::spring_back(std::vector<Vec2>& bend) const {
+    const double smoothing = 2.5 * std::min(spring_, 0.1);
+    const Vec2 first = bend[0];
+    Vec2 before = bend[points_ - 1];
+    for (int k = 0; k < points_; ++k) {
+        const Vec2 here = bend[k], after = k + 1 < points_ ? bend[k + 1] : first;
+        bend[k] = (1.0 - spring_) * (here + smoothing * (before + after - 2.0 * here));
+        before = here;
+    }
+}
+
+void Pressing::hold_lengths(std::vector<Vec2>& bend) const {
+    constexpr double share = 0.4;  // of the error, by each end
+    for (int k = 0; k < points_; ++k) {
+        const Vec2 edge = at(bend, k + 1) - at(bend, k);
+        const double length = norm(edge);
+        const double wanted = scale_ * norm(shape_[wrapped(k + 1, points_)] - shape_[k]);
+        const Vec2 move = share * (wanted - length) / length * edge;
+        bend[wrapped(k + 1, points_)] += move;
+        bend[k] -= move;
+    }
+}
+
+/// The part of the bend that is a motion of the whole cell.
+void Pressing::hand_over_motion(Cell& cell) const {
+    Vec2 mean;
+    for (const Vec2 p : cell.bend) mean += p / points_;
+    double spin = 0.0, inertia = 0.0;
+    for (int k = 0; k < points_; ++k) {
+        cell.bend[k] -= mean;
+        spin += cross(shape_[k], cell.bend[k]);
+        inertia += dot(shape_[k], shape_[k]);
+    }
+    spin /= inertia;
+    for (int k = 0; k < points_; ++k) cell.bend[k] -= spin * turned_left(shape_[k]);
+    cell.centre += turned(cell.axis, mean);
+    cell.axis = turned_on(cell.axis, 0.5 * spin / scale_);
+}
+
+void Pressing::hold_area(std::vector<Vec2>& bend) const {
+    double area = 0.0, length = 0.0;
+    std::vector<Vec2> normals(points_);
+    for (int k = 0; k < points_; ++k) {
+        const Vec2 before = at(bend, k - 1), here = at(bend, k), after = at(bend, k + 1);
+        area += 0.5 * cross(here, after);
+        length += norm(after - here);
+        normals[k] = turned_right(after - before) / norm(after - before);
+    }
+    const double swell = (scale_ * scale_ * area_ - area) / length;
+    for (int k = 0; k < points_; ++k) bend[k] += swell * normals[k];
+}
+
+/// Rigid cells begin to bend; soft ones become twice as soft, and the gap smaller. False: they are
+/// as soft as they become.
+bool Pressing::soften() {
+    if (spring_ == 1.0) {
+        spring_ = 0.1;
+        return true;
+    }
+    if (spring_ < softest) return false;
+    spring_ *= 0.5;
+    gap_ *= 0.8;
+    return true;
+}
+
+}  // namespace tt
