@@ -8,6 +8,7 @@
 #include "exchange/periodic.hpp"
 #include "fluid/collide_stream.hpp"
 #include "fluid/collision/collision.hpp"
+#include "fluid/edges.hpp"
 
 namespace tt {
 
@@ -23,6 +24,7 @@ struct Flow {
     VectorField<> velocity{lattice};
     Relaxation<> relaxation{lattice};
     Populations<> populations{lattice};
+    std::vector<PortFlow> ports;  ///< of the last two steps
     double slowest_viscosity = 1.0 / 6.0;
 
     explicit Flow(const Lattice& l) : lattice(l) {
@@ -47,12 +49,15 @@ struct Flow {
 
     void run(long long steps) {
         Periodic exchange;
-        WallLinks<> links;
-        if (boundaries.walls) links = {*boundaries.walls, populations};
+        Edges<> edges;
+        if (boundaries.walls) edges = {*boundaries.walls, populations};
+        ports.resize(boundaries.ports.size());
         for (long long step = 0; step < steps; ++step) {
             collide_and_stream(equilibrium, boundaries, body_force, force, relaxation, populations,
                                velocity);
-            settle(exchange, links, populations);
+            settle(exchange, populations, [&] {
+                return edges.apply(equilibrium, boundaries, velocity, populations, ports);
+            });
         }
     }
 

@@ -8,6 +8,7 @@
 
 #include "app/case_options.hpp"
 #include "app/check_json.hpp"
+#include "app/check_walls.hpp"
 #include "app/layout_progress.hpp"
 #include "app/probe.hpp"
 #include "app/verb.hpp"
@@ -16,7 +17,6 @@
 #include "case/appraise.hpp"
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
-#include "case/walls_of.hpp"
 #include "io/json.hpp"
 #include "observe/progress.hpp"
 
@@ -45,11 +45,6 @@ std::string bytes_text(double bytes) {
 /// "170", not "1.7e+02".
 std::string plain(double number, int digits = 2) {
     return rounded_text(number, Dimension{}, digits);
-}
-
-/// Lines of "label  text", the text wrapped within 79 columns.
-void print_line(std::string_view label, const std::string& text) {
-    fmt::print("  {:<17} {}\n", label, wrapped(text, 79, 20));
 }
 
 /// What the grid must resolve, in sites.
@@ -110,17 +105,7 @@ std::string step_setters(const Choice& choice) {
 void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
     print_line("grid", fmt::format("{} x {} sites of {}, {} in all", choice.nx, choice.ny,
                                    rounded_text(choice.dx), with_spaces(a.sites)));
-    if (choice.walls) {
-        print_line("walls", fmt::format("{}; {}", word_of(c.geometry.shape),
-                                        description(*choice.walls, choice.dx.si)));
-        // Of straight channels of this width the flow is off by 0.66/H² (docs/theory/walls.md).
-        print_line(
-            "resistance",
-            fmt::format("flow rate per force {:.4g} times that of the open box; expect {:.1g} % "
-                        "of error from the walls",
-                        12.0 * choice.undisturbed->conductance / std::pow(choice.ny, 3),
-                        66.0 / std::pow(narrowest_gap(*choice.walls), 2)));
-    }
+    print_walls(c, choice);
     if (a.cells > 0)
         print_line(
             "cells",
@@ -169,7 +154,7 @@ void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
 }
 
 void print_flow(const Case& c, const Choice& choice, const Appraisal& a) {
-    if (std::holds_alternative<NoDrive>(c.flow.drive)) {
+    if (std::holds_alternative<NoDrive>(c.flow.drive) && !c.network()) {
         print_line("flow", "none: the fluid is at rest");
         return;
     }
@@ -178,7 +163,7 @@ void print_flow(const Case& c, const Choice& choice, const Appraisal& a) {
         fmt::format("{} {}, largest speed {}", shear ? "shear rate" : "pseudo-shear rate",
                     rounded_text(choice.shear_rate), rounded_text(choice.largest_speed));
     if (a.cells > 0) text += fmt::format(", G = {}", plain(a.shear_number, 3));
-    if (a.cells > 0)
+    if (a.cells > 0 && !c.network())
         text += shear ? fmt::format("; k t = {:.3g} at the end", a.strained_time)
                       : fmt::format("; {} transits of the box", plain(a.transits, 3));
     print_line("flow", text);

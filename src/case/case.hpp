@@ -286,6 +286,7 @@ struct Case {
     std::string name;
     DomainCase domain;
     GeometryCase geometry;
+    std::vector<PortCase> ports;
     FlowCase flow;
     PlasmaCase plasma;
     LayerCase layer;
@@ -296,6 +297,8 @@ struct Case {
     TimeCase time;
     OutputCase output;
 
+    /// Channels between ports; else the box is periodic along x.
+    bool network() const { return !ports.empty(); }
     friend bool operator==(const Case&, const Case&) = default;
 };
 

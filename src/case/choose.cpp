@@ -8,6 +8,8 @@
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "case/channel_flow.hpp"
+#include "case/choose_grid.hpp"
+#include "case/choose_network.hpp"
 #include "base/processors.hpp"
 #include "case/membrane_of.hpp"
 #include "case/walls_of.hpp"
@@ -15,45 +17,12 @@
 namespace tt {
 namespace {
 
-/// Rows of sites, from `fewest` to `most`, that divide the length too into whole sites; 0: none.
-int rows_that_divide(const Case& c, int fewest, int most) {
-    for (int ny = fewest; ny <= most; ++ny) {
-        const double sites = c.domain.length.si / c.domain.width.si * ny;
-        if (std::fabs(sites - std::round(sites)) <= 1e-6 * sites) return ny;
-    }
-    return 0;
-}
-
-/// Sites across the width such that the length is a whole number of sites too, at or just finer
-/// than `dx`.
-void choose_grid(const Case& c, Choice& choice) {
-    const double width = c.domain.width.si, length = c.domain.length.si;
-    const double radius = equivalent_radius(c).si;
-    const double wanted = c.numerics.dx           ? c.numerics.dx->si
-                          : c.numerics.fluid_only ? width / 50.0
-                                                  : radius / 20.0;
-    const int coarsest = std::max(4, static_cast<int>(std::lround(width / wanted)));
-    choice.ny = rows_that_divide(c, coarsest, c.numerics.dx ? coarsest : 2 * coarsest);
-    if (choice.ny > 0) {
-        choice.nx = static_cast<int>(std::lround(length / width * choice.ny));
-        choice.dx = Length{width / choice.ny};
-    }
-    const bool divides = std::fabs(choice.dx.si - wanted) <= 1e-6 * wanted;
-    if (choice.ny == 0 || (c.numerics.dx && !divides)) {
-        throw CaseError(
-            {{"", 0, 0,
-              fmt::format(
-                  "[numerics] dx = {:.6g} um does not divide width {:.6g} um and length {:.6g} um "
-                  "into whole sites; write dx = \"{:.6g} um\" or leave it out",
-                  wanted * 1e6, width * 1e6, length * 1e6, width / coarsest * 1e6)}});
-    }
-}
-
 /// Nominal shear rate, largest speed, pressure gradient. Returns their magnitudes: no limit of the
 /// step depends on the direction.
 Undisturbed choose_flow(const Case& c, Choice& choice) {
     const double width = c.domain.width.si, viscosity = c.plasma.viscosity.si;
     const FlowCase& flow = c.flow;
+    if (c.network()) return choose_network_flow(c, choice);
     double at_walls = 0.0, fastest = 0.0;  // of the shear rate and the width
     if (const ShearDrive* shear = flow.shear()) {
         choice.shear_rate = Rate{shear->shear_rate ? shear->shear_rate->si
@@ -233,11 +202,8 @@ void expect_sites(const Case& c, const Choice& choice, double most, const std::s
                                                           : write("width", left))}});
 }
 
-Length fitting_spacing(const Case& c, Length most) {
-    const double width = c.domain.width.si;
-    const int fewest = std::max(4, static_cast<int>(std::ceil(width / most.si * (1.0 - 1e-9))));
-    const int rows = rows_that_divide(c, fewest, 2 * fewest);
-    return rows > 0 ? Length{width / rows} : most;
+Lattice lattice_of(const Case& c, const Choice& choice) {
+    return {choice.nx, choice.ny, c.domain.sides == Sides::walls && !c.network()};
 }
 
 /// Walls that are not those of the lattice, and what plasma alone does between them.
@@ -245,16 +211,16 @@ void choose_walls(const Case& c, Choice& choice) {
     if (c.geometry.straight()) return;
     constexpr double most = 4e6;
     expect_sites(c, choice, most, "can be had between walls of any shape");
-    const Lattice lattice{choice.nx, choice.ny, c.domain.sides == Sides::walls};
-    auto walls =
-        std::make_shared<const Walls>(make_walls(scaled(solid_of(c), 1.0 / choice.dx.si), lattice));
+    const Solid solid = scaled(moved(solid_of(c), -choice.origin), 1.0 / choice.dx.si);
+    auto walls = std::make_shared<const Walls>(make_walls(solid, lattice_of(c, choice)));
     if (const auto messages = faults_of(*walls, choice.dx.si); !messages.empty()) {
         std::vector<Fault> faults;
         for (const std::string& message : messages) faults.push_back({"", 0, 0, message});
         throw CaseError(std::move(faults));
     }
-    choice.undisturbed =
-        std::make_shared<const UndisturbedFlow>(undisturbed_flow(*walls, usable_processors()));
+    choice.undisturbed = std::make_shared<const UndisturbedFlow>(
+        c.network() ? undisturbed_flow(*walls, slow_ports(c, choice, *walls), usable_processors())
+                    : undisturbed_flow(*walls, usable_processors()));
     choice.walls = std::move(walls);
 }
 

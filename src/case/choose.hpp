@@ -19,6 +19,7 @@ inline constexpr double largest_corrected_contrast = 20.0 * (1.0 + 1e-9);
 struct Choice {
     int nx = 0, ny = 0;
     Length dx;
+    Vec2 origin;  ///< [m] of the box, in the coordinates of the drawing
     Time dt;
     double relaxation_time = 1.0;  ///< τ of the plasma
     double density_scale = 1.0;    ///< S
@@ -44,6 +45,11 @@ struct Choice {
     /// applies.
     double expected_change() const;
 };
+
+/// Sites beyond a network on each side: what comes in through ports is left there.
+inline constexpr int network_margin = 2;
+
+Lattice lattice_of(const Case& c, const Choice& choice);
 
 /// Length of a membrane's segments in sites: as the case says, else 1.5; 1 on a drop, whose nodes
 /// nothing holds apart.

@@ -84,6 +84,67 @@ void judge_geometry(Judge& judge, const Case& c) {
     }
 }
 
+void judge_port(Judge& judge, const Case& c, const PortCase& port) {
+    const std::string path = "port." + port.name;
+    const auto key = [&](std::string_view name) { return fmt::format("{}.{}", path, name); };
+    const auto proper = [](char letter) {
+        return letter == '_' || letter == '-' || (letter >= '0' && letter <= '9') ||
+               (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z');
+    };
+    constexpr std::size_t longest = 32;
+    if (port.name.empty() || port.name.size() > longest ||
+        !std::all_of(port.name.begin(), port.name.end(), proper))
+        judge.tell({path}, fmt::format("the name of a port has letters, digits, _ and -, at most "
+                                       "{}; write [port.inlet]",
+                                       longest));
+    if (port.at.size() != 2)
+        judge.tell({key("at"), path},
+                   "at is a point on the port; write at = [\"0 um\", \"10 um\"]");
+    std::string given;
+    for (const std::string_view name : {"pressure", "flow_rate", "mean_velocity"}) {
+        if (!judge.given(key(name))) continue;
+        if (!given.empty())
+            judge.tell({key(name)},
+                       fmt::format("{} and {} are both given; leave one of them out", given, name));
+        given = name;
+    }
+    if (given.empty())
+        judge.tell({path},
+                   "nothing is asked of this port; write pressure = \"0 Pa\", flow_rate = "
+                   "\"0.02 mm^2/s\" or mean_velocity = \"1 mm/s\"");
+    if (!std::holds_alternative<DrawnShape>(c.geometry.shape))
+        judge.tell({path}, fmt::format("a port means nothing with shape = \"{}\"; write shape = "
+                                       "\"file\" in [geometry]",
+                                       word_of(c.geometry.shape)));
+}
+
+/// Channels between ports: what drives the flow are they, and the box is that of the drawing.
+void judge_ports(Judge& judge, const Case& c) {
+    if (!c.network()) return;
+    for (const PortCase& port : c.ports) judge_port(judge, c, port);
+    const std::string first = "port." + c.ports.front().name;
+    if (c.ports.size() < 2)
+        judge.tell({first},
+                   "one port alone: what goes in must come out; write another [port.NAME]");
+    else if (std::none_of(c.ports.begin(), c.ports.end(),
+                          [](const PortCase& port) { return port.pressure.has_value(); }))
+        judge.tell({first},
+                   "every port holds a flow; where they do not add up to nothing the fluid has "
+                   "nowhere to go: write pressure = \"0 Pa\" for one of them");
+    judge.forbid("domain.sides", "with ports");
+    if (!std::holds_alternative<NoDrive>(c.flow.drive))
+        judge.tell({"flow.drive"}, fmt::format("drive = \"{}\" means nothing with ports, which "
+                                               "drive the flow; leave it out",
+                                               word_of(c.flow.drive)));
+    if (c.numerics.equilibrium && std::holds_alternative<FullEquilibrium>(*c.numerics.equilibrium))
+        judge.tell({"numerics.equilibrium"},
+                   "equilibrium = \"full\" is not possible with ports, whose pressures would "
+                   "change the density; leave it out");
+    if (!c.numerics.fluid_only)
+        judge.tell({"numerics.fluid_only"},
+                   "cells do not pass ports yet; write fluid_only = true in [numerics]");
+}
+
 void judge_positions_given(Judge& judge, const Case& c, const AtPositions& layout) {
     if (layout.positions.empty())
         judge.tell(
@@ -170,6 +231,7 @@ std::vector<Fault> find_conflicts(const Case& c, const Places& places, const std
     judge_exclusive(judge);
     judge_flow(judge, c);
     judge_geometry(judge, c);
+    judge_ports(judge, c);
     judge_cells(judge, c);
     judge_numerics(judge);
     return std::move(judge.faults);

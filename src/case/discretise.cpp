@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/choose_network.hpp"
 #include "case/membrane_of.hpp"
 #include "membrane/implicit_tension.hpp"
 
@@ -45,6 +46,19 @@ ContactModel contact_of(const Case& c, const Scales& scales) {
     return contact;
 }
 
+/// In lattice units.
+std::vector<PortCondition> port_conditions(const Case& c, const Choice& choice, const Model& m) {
+    std::vector<PortCondition> conditions = slow_ports(c, choice, *choice.walls);
+    const double speed = m.scales.to_lattice(Velocity{1.0});
+    for (PortCondition& condition : conditions) {
+        if (auto* density = std::get_if<HeldDensity>(&condition))
+            density->deviation *= speed * m.viscosity.plasma;
+        else
+            std::get<HeldInflow>(condition).rate *= speed;
+    }
+    return conditions;
+}
+
 ViscosityModel viscosity_of(const Case& c, const Choice& choice, const Scales& scales) {
     const NumericsCase& n = c.numerics;
     ViscosityModel viscosity;
@@ -67,7 +81,7 @@ ViscosityModel viscosity_of(const Case& c, const Choice& choice, const Scales& s
 
 Model discretise(const Case& c, const Choice& choice) {
     Model m;
-    m.lattice = {choice.nx, choice.ny, c.domain.sides == Sides::walls};
+    m.lattice = lattice_of(c, choice);
     const double dx = choice.dx.si;
     m.scales = {dx, choice.dt.si, choice.density_scale * c.plasma.density.si * dx * dx * dx};
     m.density_scale = choice.density_scale;
@@ -89,6 +103,11 @@ Model discretise(const Case& c, const Choice& choice) {
     m.undisturbed = choice.undisturbed;
     if (m.undisturbed) m.drive.lean = m.undisturbed->lean;
 
+    if (c.network()) {
+        m.boundaries.ports = port_conditions(c, choice, m);
+        for (const PortCase& port : c.ports) m.port_names.push_back(port.name);
+        m.drive.target_velocity = m.scales.to_lattice(Velocity{1.0});
+    }
     const double gradient = m.scales.to_lattice(choice.pressure_gradient);
     if (c.flow.shear()) {
         m.boundaries.top_speed = 0.5 * m.shear_rate * m.lattice.ny;

@@ -33,6 +33,14 @@ inline constexpr bool is_quantity<Quantity<D>> = true;
 template <class T>
 concept TomlTable = Fielded<T>;
 
+/// Tables that the user names, [port.NAME]: a list of structs whose `name` is no field.
+template <class T>
+inline constexpr bool is_named_tables = false;
+template <TomlTable S>
+inline constexpr bool is_named_tables<std::vector<S>> = requires(S s) {
+    s.name;
+};
+
 /// The type of the single values in a field: of an optional or a list, that of its items.
 template <class T>
 struct ItemType {

@@ -49,6 +49,17 @@ struct DrawnShape {
     std::vector<Loop> loops;     ///< the same [m]; no key
     friend bool operator==(const DrawnShape&, const DrawnShape&) = default;
 };
+/// Where fluid goes in and out of what is drawn: [port.NAME].
+struct PortCase {
+    std::string name;        ///< of the table; no key
+    std::vector<Length> at;  ///< [x, y], a point of the drawing on it
+    // One of these; the last two into the channels, or out of them where negative.
+    std::optional<Pressure> pressure;
+    std::optional<KinematicViscosity> flow_rate;  ///< per depth
+    std::optional<Velocity> mean_velocity;
+
+    friend bool operator==(const PortCase&, const PortCase&) = default;
+};
 struct GeometryCase {
     std::variant<StraightShape, StenosisShape, PostsShape, DrawnShape> shape;
 

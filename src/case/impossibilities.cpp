@@ -15,6 +15,7 @@
 #include "case/contact_at_start.hpp"
 #include "case/fit.hpp"
 #include "case/judge.hpp"
+#include "case/openings.hpp"
 #include "case/membrane_of.hpp"
 #include "case/step_limits.hpp"
 #include "case/value_text.hpp"
@@ -206,7 +207,7 @@ void judge_grid(Judge& judge, const Case& c) {
                         "needed; {}",
                         to_text(*c.numerics.dx), c.cells.radius.si / dx,
                         fitting_spacing(c, wanted)));
-    if (is_whole(width / dx) && is_whole(length / dx)) return;
+    if (c.network() || (is_whole(width / dx) && is_whole(length / dx))) return;
     judge.tell(
         {"numerics.dx"},
         fmt::format("dx = {} does not divide width = {} and length = {} into whole sites; {}",
@@ -281,6 +282,8 @@ std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
                         to_text(*c.layer.thickness), to_text(c.domain.width),
                         rounded_text(Length{0.5 * c.domain.width.si})));
     judge_walls(judge, c);
+    for (const auto& [name, why] : port_places(c).faults)
+        judge.tell({"port." + name + ".at"}, fmt::format("port '{}': {}", name, why));
     judge_membrane(judge, c.membrane);
     if (c.contact.morse()) judge_contact(judge, *c.contact.morse());
     judge_rate(judge, c);

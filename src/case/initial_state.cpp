@@ -205,6 +205,17 @@ void add_flow_without_cells(const Model& m, VectorField<>& velocity, Field<>& de
     }
 }
 
+/// What an observer sees of the ports before the first step.
+void set_ports(const Model& m, FluidStart start, State& state) {
+    if (!m.undisturbed || start == FluidStart::rest) return;
+    const double unit = m.drive.target_velocity;
+    for (const UndisturbedFlow::Port& port : m.undisturbed->ports) {
+        const double density = unit * m.viscosity.plasma * port.density;
+        const double inflow = unit * port.inflow;
+        state.ports.push_back({{density, density}, {inflow, inflow}});
+    }
+}
+
 /// Before the first step nodes move with the fluid around them: what an observer sees of them then,
 /// and nothing else, follows from it.
 template <class Real>
@@ -226,6 +237,7 @@ State initial_state(const Case& c, const Model& model, const LayoutWatch& watch)
     Field<> density = density_of_drop(model);
     if (c.flow.start == FluidStart::developed) add_flow_without_cells(model, velocity, density);
     start_flow(model, velocity, density, state);
+    set_ports(model, c.flow.start, state);
     derive(model, state);
     std::visit([&](auto& sites) { let_nodes_follow(sites, state.cells); }, state.sites);
     return state;

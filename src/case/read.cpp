@@ -111,6 +111,53 @@ void judge_name(const TomlNode& root, Reader<Case>& reader, Case& c, const std::
     }
 }
 
+/// The box must be given, but for channels between ports: theirs is the extent of the drawing.
+void judge_box(const TomlNode& root, Reader<Case>& reader, const Case& c, const std::string& file) {
+    if (c.network()) return;
+    const TomlEntry* header = root.find("domain");
+    const auto missing = [&](const char* key, Length value, const char* example) {
+        const std::string path = fmt::format("domain.{}", key);
+        if (value.si > 0.0 || reader.places.count(path) > 0) return;
+        Fault fault{file, header ? header->line : 0, header ? header->column : 0, {}};
+        if (header && !header->origin.empty()) fault = {header->origin, 0, 0, {}};
+        fault.message =
+            fmt::format("{} is missing from [domain]; write {} = \"{}\"", key, key, example);
+        reader.faults.push_back(std::move(fault));
+    };
+    missing("length", c.domain.length, "80 um");
+    missing("width", c.domain.width, "20 um");
+}
+
+/// Length and width of a network, into the case. Returns what contradicts them.
+std::vector<Fault> fit_box(Case& c, const Places& places) {
+    const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape);
+    if (!c.network() || !drawn || drawn->loops.empty()) return {};
+    const Corners corners = corners_of(drawn->loops);
+    std::vector<Fault> faults;
+    const auto fit = [&](const char* key, double drawn_size, Length& size) {
+        const auto place = places.find(fmt::format("domain.{}", key));
+        if (place != places.end() && std::fabs(size.si - drawn_size) > 1e-6 * drawn_size) {
+            faults.push_back(place->second);
+            faults.back().message =
+                fmt::format("{} = {}, but the drawing takes {}; leave {} out", key, to_text(size),
+                            rounded_text(Length{drawn_size}, 6), key);
+        }
+        size.si = drawn_size;
+    };
+    fit("length", corners.high.x - corners.low.x, c.domain.length);
+    fit("width", corners.high.y - corners.low.y, c.domain.width);
+    constexpr double smallest = 1e-6, largest = 0.1;
+    const double size = std::max(c.domain.length.si, c.domain.width.si);
+    if (size < smallest || size > largest) {
+        faults.push_back(places.at("geometry.file"));
+        faults.back().message = fmt::format(
+            "what is drawn is {} long and {} wide; look at the unit of its numbers, and write unit "
+            "= \"1 um\" or another in [geometry]",
+            rounded_text(c.domain.length, 3), rounded_text(c.domain.width, 3));
+    }
+    return faults;
+}
+
 /// The outline that `cells.file` names, into the case. Its own area is the size of the cells.
 /// Returns what is wrong with it.
 std::vector<Fault> read_shape_file(Case& c, const Places& places) {
@@ -171,6 +218,7 @@ Case parse_case(std::string_view text, const std::string& name,
         Reader<Case> reader(name);
         reader.read_table(toml.root, nullptr, "", result);
         judge_name(toml.root, reader, result, name);
+        judge_box(toml.root, reader, result, name);
         if (auto* shape = std::get_if<OutlineShape>(&result.cells.shape);
             shape && !shape->file.empty())
             shape->file = (directory / shape->file).lexically_normal().string();
@@ -182,6 +230,8 @@ Case parse_case(std::string_view text, const std::string& name,
         if (read && !directory.empty()) {
             outline_faults = read_shape_file(result, reader.places);
             for (Fault& fault : read_wall_file(result, reader.places))
+                outline_faults.push_back(std::move(fault));
+            for (Fault& fault : fit_box(result, reader.places))
                 outline_faults.push_back(std::move(fault));
         }
         // Where a line could not be read as TOML, a key may only seem to be missing.
@@ -198,7 +248,8 @@ Case parse_case(std::string_view text, const std::string& name,
         };
         append(std::move(reader.faults));
         if (whole) append(find_conflicts(result, reader.places, name));
-        if (whole && read) append(find_impossibilities(result, reader.places, name));
+        const bool sized = result.domain.length.si > 0.0 && result.domain.width.si > 0.0;
+        if (whole && read && sized) append(find_impossibilities(result, reader.places, name));
         sort_faults(faults);
         append(std::move(outline_faults));
     }

@@ -163,9 +163,15 @@ private:
             const bool twice = entry.value.kind == TomlNode::Kind::array;
             tell_key(entry, fmt::format("{} is a table; write [{}] on a line of its own{}",
                                         field.key, path, twice ? ", once" : ""));
+        } else if constexpr (is_named_tables<T>) {
+            read_named_tables(entry, path, result);
         } else if constexpr (is_list<T> && TomlTable<item_type<T>>) {
             read_tables(entry, fmt::format("[{}]", path), result);
         } else {
+            if constexpr (is_quantity<T>)
+                if (entry.value.kind == TomlNode::Kind::string && entry.value.text == "auto" &&
+                    field.choices == "auto")
+                    return;
             if constexpr (is_optional<T>) {
                 const bool word = entry.value.kind == TomlNode::Kind::string;
                 if (word && entry.value.text == "auto") return;
@@ -180,6 +186,27 @@ private:
             const std::size_t before = faults.size();
             read_value(entry, entry.value, text_of(field), result);
             if (faults.size() > before) faulty_.insert(path);
+        }
+    }
+
+    /// [path.NAME], once for each item.
+    template <class T>
+    void read_named_tables(const TomlEntry& entry, const std::string& path,
+                           std::vector<T>& result) {
+        const auto refuse = [&](const TomlEntry& at) {
+            tell_key(at, fmt::format("write [{}.NAME] on a line of its own before each", path));
+        };
+        if (entry.value.kind != TomlNode::Kind::table) return refuse(entry);
+        for (const TomlEntry& item : entry.value.entries) {
+            if (item.value.kind != TomlNode::Kind::table) {
+                refuse(item);
+                continue;
+            }
+            result.emplace_back();
+            result.back().name = item.key;
+            const std::string name = join(path, item.key);
+            places[name] = place(item, item.line, item.column);
+            read_table(item.value, &item, name, result.back());
         }
     }
 
@@ -204,7 +231,8 @@ private:
         if constexpr (TomlTable<T>) {
             read_table(TomlNode{}, header, path, result);
         } else if constexpr (is_quantity<T> || std::is_same_v<T, Measure>) {
-            if (!field.range.contains(result.si)) tell_missing(header, path, text_of(field));
+            if (!field.range.contains(result.si) && field.choices != "auto")
+                tell_missing(header, path, text_of(field));
         }
     }
 

@@ -28,7 +28,8 @@ std::string bounds_text(const Range& range, std::string_view unit) {
 /// A sample value: the default; where there is none, the example.
 template <class F, class T>
 std::string sample(const F& field, const T& value, bool required) {
-    const std::string text = required ? std::string{} : value_text(value, field.example);
+    const bool none = required || field.choices == "auto";
+    const std::string text = none ? std::string{} : value_text(value, field.example);
     if (!text.empty() && text != "\"\"" && text != "[]") return text;
     using Item = item_type<T>;
     const bool as_is = field.example.substr(0, 1) == "[" ||
@@ -40,7 +41,8 @@ template <class F, class T>
 KeyLine key_line(const std::string& table, const F& field, const T& value) {
     KeyLine line;
     line.full_name = full_name(table, field.key);
-    if constexpr (is_quantity<T>) line.required = !field.range.contains(value.si);
+    if constexpr (is_quantity<T>)
+        line.required = !field.range.contains(value.si) && field.choices != "auto";
     if constexpr (std::is_same_v<T, double>) line.required = !field.range.contains(value);
     line.example = fmt::format("{} = {}", field.key, sample(field, value, line.required));
     line.meaning = field.meaning;
@@ -85,7 +87,8 @@ void collect(const std::string& path, std::string_view meaning, std::vector<KeyT
     for_each_field<S>([&](const auto& field) {
         const auto& value = defaults.*field.member;
         using T = std::remove_cvref_t<decltype(value)>;
-        if constexpr (!TomlTable<T>) table.keys.push_back(key_line(path, field, value));
+        if constexpr (!TomlTable<T> && !is_named_tables<T>)
+            table.keys.push_back(key_line(path, field, value));
         if constexpr (has_keys<T>) collect_of_choice<T>(field.key, table);
     });
     tables.push_back(std::move(table));
@@ -94,6 +97,8 @@ void collect(const std::string& path, std::string_view meaning, std::vector<KeyT
         if constexpr (TomlTable<T>) {
             collect<T>(full_name(path, field.key), field.meaning, tables);
         }
+        if constexpr (is_named_tables<T>)
+            collect<item_type<T>>(full_name(path, field.key) + ".NAME", field.meaning, tables);
     });
 }
 

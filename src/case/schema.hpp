@@ -155,6 +155,8 @@ struct FieldList<Case> {
                    "channel-500-LD"},
         FieldEntry{"domain", &T::domain, "the box"},
         FieldEntry{"geometry", &T::geometry, "the walls, where they are not those of the box"},
+        FieldEntry{"port", &T::ports,
+                   "where fluid goes in and out of what is drawn; a table for each port"},
         FieldEntry{"flow", &T::flow, "what drives the flow"},
         FieldEntry{"plasma", &T::plasma, "the fluid around the cells"},
         FieldEntry{"layer", &T::layer,

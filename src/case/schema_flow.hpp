@@ -15,18 +15,13 @@ template <>
 struct FieldList<DomainCase> {
     using T = DomainCase;
     static constexpr auto entries = std::tuple{
-        FieldEntry{"length",
-                   &T::length,
-                   "along the flow; what leaves at one end re-enters at the other",
-                   box_size,
-                   {},
-                   "80 um"},
-        FieldEntry{"width",
-                   &T::width,
-                   "from wall to wall, across the flow",
-                   Range{1e-7, 1e-2},
-                   {},
-                   "20 um"},
+        FieldEntry{
+            "length", &T::length,
+            "along the flow; what leaves at one end re-enters at the other; with ports it may "
+            "be left out: that of the drawing",
+            box_size, "auto", "80 um"},
+        FieldEntry{"width", &T::width, "from wall to wall, across the flow; likewise",
+                   Range{1e-7, 1e-2}, "auto", "20 um"},
         FieldEntry{"sides", &T::sides, "what bounds the box across the flow"},
     };
 };

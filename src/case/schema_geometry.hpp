@@ -65,4 +65,33 @@ struct FieldList<GeometryCase> {
     };
 };
 
+template <>
+struct FieldList<PortCase> {
+    using T = PortCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"at", &T::at,
+                   "a point of the drawing on a straight piece of its outline along x or y: all of "
+                   "this piece is the port",
+                   any_value, "", "[\"0 um\", \"10 um\"]"},
+        FieldEntry{"pressure",
+                   &T::pressure,
+                   "on all of the port; this key or one of the next two",
+                   Range{-1e7, 1e7},
+                   {},
+                   "100 Pa"},
+        FieldEntry{"flow_rate",
+                   &T::flow_rate,
+                   "into the channels, per depth; negative: out of them",
+                   Range{-1.0, 1.0},
+                   {},
+                   "0.02 mm^2/s"},
+        FieldEntry{"mean_velocity",
+                   &T::mean_velocity,
+                   "over the port, into the channels; negative: out of them",
+                   Range{-100.0, 100.0},
+                   {},
+                   "1 mm/s"},
+    };
+};
+
 }  // namespace tt

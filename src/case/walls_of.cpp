@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/units.hpp"
+#include "case/openings.hpp"
 #include "io/point_list.hpp"
 
 namespace tt {
@@ -29,7 +30,10 @@ Solid solid_of(const StenosisShape& shape, const DomainCase& box) {
     low.push_back({start + length, -beyond});
     Loop high = low;
     for (Vec2& p : high) p.y = width - p.y;
-    return {{low, high}, false, box.length.si, 0.0};
+    Solid solid;
+    solid.loops = {low, high};
+    solid.period_x = box.length.si;
+    return solid;
 }
 
 Solid solid_of(const PostsShape& shape, const DomainCase& box) {
@@ -55,8 +59,12 @@ Solid solid_of(const PostsShape& shape, const DomainCase& box) {
 }
 
 Solid solid_of(const DrawnShape& shape, const DomainCase& box) {
-    return {shape.loops, shape.fluid == Side::inside, box.length.si,
-            box.sides == Sides::periodic ? box.width.si : 0.0};
+    Solid solid;
+    solid.loops = shape.loops;
+    solid.outside = shape.fluid == Side::inside;
+    solid.period_x = box.length.si;
+    if (box.sides == Sides::periodic) solid.period_y = box.width.si;
+    return solid;
 }
 
 Solid solid_of(const StraightShape&, const DomainCase&) { return {}; }
@@ -64,8 +72,12 @@ Solid solid_of(const StraightShape&, const DomainCase&) { return {}; }
 }  // namespace
 
 Solid solid_of(const Case& c) {
-    return std::visit([&](const auto& shape) { return solid_of(shape, c.domain); },
-                      c.geometry.shape);
+    Solid solid =
+        std::visit([&](const auto& shape) { return solid_of(shape, c.domain); }, c.geometry.shape);
+    if (!c.network()) return solid;
+    solid.period_x = solid.period_y = 0.0;
+    solid.openings = port_places(c).openings;
+    return solid;
 }
 
 std::vector<Loop> read_loops(std::string_view text, const std::string& name, double unit) {

@@ -14,7 +14,7 @@ void write_table(const S& table, const std::string& path, std::string& text) {
     for_each_field<S>([&](const auto& field) {
         const auto& value = table.*field.member;
         using T = std::remove_cvref_t<decltype(value)>;
-        if constexpr (!TomlTable<T>) {
+        if constexpr (!TomlTable<T> && !is_named_tables<T>) {
             const std::string written = value_text(value, field.example);
             const std::string line = written.empty()
                                          ? fmt::format("# {} = (auto or not given)", field.key)
@@ -37,6 +37,12 @@ void write_table(const S& table, const std::string& path, std::string& text) {
             text += fmt::format("\n{:<42} # {}\n", fmt::format("[{}]", name), field.meaning);
             write_table(value, name, text);
         }
+        if constexpr (is_named_tables<std::remove_cvref_t<decltype(value)>>)
+            for (const auto& item : value) {
+                const std::string name = fmt::format("{}.{}", field.key, item.name);
+                text += fmt::format("\n[{}]\n", name);
+                write_table(item, name, text);
+            }
     });
 }
 
@@ -47,6 +53,8 @@ void write_lines(const S& table, const std::string& path, std::string& text) {
         const std::string key = path + std::string(field.key);
         if constexpr (TomlTable<std::remove_cvref_t<decltype(value)>>) {
             write_lines(value, key + ".", text);
+        } else if constexpr (is_named_tables<std::remove_cvref_t<decltype(value)>>) {
+            for (const auto& item : value) write_lines(item, key + "." + item.name + ".", text);
         } else {
             const std::string written = value_text(value, field.example);
             text += fmt::format("{} = {}\n", key, written.empty() ? "auto" : written);

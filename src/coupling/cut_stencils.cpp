@@ -97,7 +97,7 @@ CutStencil<Real> cut_stencil(const Walls& walls, const Stencils<Real>& stencils,
             block.weight[n] =
                 double{stencils.wx[width * node + k]} * double{stencils.wy[width * node + l]};
     }
-    CutStencil<Real> cut{node, i, j, {}, {}, {}};
+    CutStencil<Real> cut{node, i, j, {}, {}, {}, 1.0, {}};
     cut.whole = std::clamp(2.0 * block.sum([](int) { return 1.0; }) - 1.0, 0.0, 1.0);
     make_one_sided(block);
     for (int n = 0; n < block.count; ++n) cut.weight[n] = static_cast<Real>(block.weight[n]);

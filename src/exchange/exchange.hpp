@@ -2,7 +2,6 @@
 
 #include "base/parallel.hpp"
 #include "fluid/populations.hpp"
-#include "fluid/wall_links.hpp"
 #include "grid/field.hpp"
 
 namespace tt {
@@ -32,27 +31,26 @@ public:
     virtual void fold(VectorField<float>& field) = 0;
 };
 
-/// Ends a pass of `collide_and_stream`: walls answered, halo in line, phase flipped, so that
-/// between steps every population can be read and the next pass can start. Team function; waits
-/// until all rows have been passed, and is done when all threads have returned.
-template <class Real>
-void settle(Exchange& exchange, WallLinks<Real>& links, Populations<Real>& populations) {
+/// Ends a pass of `collide_and_stream`: walls and ports answered, halo in line, phase flipped, so
+/// that between steps every population can be read and the next pass can start. `answer` says
+/// whether there was anything to be done. Team function; waits until all rows have been passed, and
+/// is done when all threads have returned.
+template <class Real, class Answer>
+void settle(Exchange& exchange, Populations<Real>& populations, Answer&& answer) {
     const Phase done = populations.phase;
     team_barrier();  // all rows have been passed
     if (done == Phase::even) {
-        links.apply(populations);
-        if (!links.empty()) team_barrier();
+        if (answer()) team_barrier();
         exchange.fill(populations);
     } else {
         exchange.fold(populations);
-        links.apply(populations);
+        answer();
     }
     if (team_rank() == 0) populations.phase = done == Phase::even ? Phase::odd : Phase::even;
 }
 template <class Real>
 void settle(Exchange& exchange, Populations<Real>& populations) {
-    WallLinks<Real> none;
-    settle(exchange, none, populations);
+    settle(exchange, populations, [] { return false; });
 }
 
 }  // namespace tt

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "fluid/populations.hpp"
+#include "fluid/ports.hpp"
 #include "fluid/walls.hpp"
 
 namespace tt {
@@ -14,6 +16,7 @@ struct Boundaries {
     double top_speed = 0.0;                   ///< x velocity of the wall at y = ny
     double pressure_drop = 0.0;               ///< p(inlet) − p(outlet) between the periodic ends
     std::shared_ptr<const Walls> walls = {};  ///< of any other shape; none: a straight channel
+    std::vector<PortCondition> ports = {};    ///< of the openings of the walls
 };
 
 /// What the edges of the box add to the populations that just departed from row j, before the phase

@@ -110,6 +110,42 @@ void return_from_walls(const Walls& walls, const Departures& g, Populations<Real
     }
 }
 
+/// What comes in through ports (fluid/ports.hpp).
+template <class Real>
+void enter_through_ports(const Walls& walls, const Equilibrium& equilibrium,
+                         const std::vector<PortCondition>& conditions, const Departures& g,
+                         const VectorField<Real>& velocity, Populations<Real>& next) {
+    const Lattice& lattice = walls.lattice;
+    const bool inertia = !std::holds_alternative<LinearEquilibrium>(equilibrium);
+    for (std::size_t n = 0; n < walls.openings.size(); ++n) {
+        const bool across_x = walls.openings[n].out_x != 0;
+        double inflow = 0.0, weight = 0.0;  // as if the density were held at 0
+        std::vector<double> entering;
+        for (const OpeningLink& link : walls.inflow) {
+            if (link.opening != static_cast<int>(n)) continue;
+            const int i = link.direction, m = mirrored_direction(i, across_x);
+            const int x = link.i - (across_x ? 0 : d2q9::cx[i]);
+            const int y = link.j - (across_x ? d2q9::cy[i] : 0);
+            const double gone = g[static_cast<std::size_t>(lattice.row_in_box(y)) * lattice.nx +
+                                  wrapped(x, lattice.nx)][m];
+            const Vec2 u{velocity.x(link.i, link.j), velocity.y(link.i, link.j)};
+            const double across = across_x ? u.x : u.y;
+            entering.push_back(-gone + (inertia ? 6.0 * d2q9::weight[i] * across * across : 0.0));
+            inflow += entering.back() - gone;
+            weight += d2q9::weight[i];
+        }
+        const auto* held = std::get_if<HeldInflow>(&conditions[n]);
+        const double density = held ? (held->rate - inflow) / (2.0 * weight)
+                                    : std::get<HeldDensity>(conditions[n]).deviation;
+        auto next_entering = entering.begin();
+        for (const OpeningLink& link : walls.inflow) {
+            if (link.opening != static_cast<int>(n)) continue;
+            next.set_slot(link.direction, link.i, link.j,
+                          *next_entering++ + 2.0 * d2q9::weight[link.direction] * density);
+        }
+    }
+}
+
 }  // namespace
 
 template <class Real>
@@ -138,7 +174,10 @@ void collide_and_stream_reference(const Equilibrium& equilibrium, const Boundari
             stream(boundaries, departures.back(), x, y, next);
         }
     }
-    if (walls) return_from_walls(*walls, departures, next);
+    if (walls) {
+        return_from_walls(*walls, departures, next);
+        enter_through_ports(*walls, equilibrium, boundaries.ports, departures, velocity, next);
+    }
     populations = next;
 }
 

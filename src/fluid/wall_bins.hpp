@@ -20,7 +20,7 @@ public:
           rows_((lattice.ny + 2 * margin) / side + 1),
           bins_(static_cast<std::size_t>(columns_) * rows_) {
         for (std::size_t s = 0; s < segments.size(); ++s) {
-            const auto& [a, b, loop] = segments[s];
+            const auto& [a, b, loop, opening] = segments[s];
             const int i0 = column(std::min(a.x, b.x)), i1 = column(std::max(a.x, b.x));
             const int j0 = row(std::min(a.y, b.y)), j1 = row(std::max(a.y, b.y));
             for (int j = j0; j <= j1; ++j)
@@ -32,6 +32,7 @@ public:
     struct Meeting {
         double share;  ///< of the way
         int loop;
+        int opening;  ///< or −1
     };
     /// Where the way from a to b, of a site or so, first meets a wall.
     std::optional<Meeting> first_meeting(Vec2 a, Vec2 b) const {
@@ -43,7 +44,7 @@ public:
                 for (const int s : bin(i, j)) {
                     const double share = meeting(a, b, segments_[s]);
                     if (share < 0.0 || (first && first->share <= share)) continue;
-                    first = Meeting{share, segments_[s].loop};
+                    first = Meeting{share, segments_[s].loop, segments_[s].opening};
                 }
         return first;
     }

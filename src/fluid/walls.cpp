@@ -103,7 +103,7 @@ void close_pockets(Walls& walls) {
             ++walls.remarks.parts;
             continue;
         }
-        for (const auto [i, j] : part) walls.open(i, j) = 0;
+        for (const auto& [i, j] : part) walls.open(i, j) = 0;
         walls.remarks.pockets += static_cast<int>(part.size());
     }
 }
@@ -130,16 +130,58 @@ void find_runs(Walls& walls) {
     }
 }
 
+/// The part of c_k along an opening that faces (out_x, out_y).
+std::pair<int, int> along_opening(const LatticeOpening& opening, int k) {
+    return {opening.out_x == 0 ? d2q9::cx[k] : 0, opening.out_y == 0 ? d2q9::cy[k] : 0};
+}
+
+/// Which way the openings face, by the links straight through them.
+void face_openings(const WallBins& bins, Walls& walls) {
+    walls.openings.resize(walls.solid.openings.size());
+    for_each_site(walls.lattice, [&](int i, int j) {
+        if (!walls.is_open(i, j)) return;
+        for (int k = 1; k < 5; ++k) {
+            const int x = i - d2q9::cx[k], y = j - d2q9::cy[k];
+            if (is_open_at(walls, x, y)) continue;
+            const auto hit = bins.first_meeting(Lattice::position(i, j), Lattice::position(x, y));
+            if (!hit || hit->opening < 0) continue;
+            LatticeOpening& opening = walls.openings[hit->opening];
+            const Opening& drawn = walls.solid.openings[hit->opening];
+            if ((drawn.from.x == drawn.to.x) != (d2q9::cx[k] != 0)) continue;
+            opening.out_x = -d2q9::cx[k];
+            opening.out_y = -d2q9::cy[k];
+            opening.off = hit->share - 0.5;
+            ++opening.width;
+        }
+    });
+}
+
+/// Does the link come in through an opening? Where the site that its mirror image departs from is
+/// closed it belongs to the wall.
+bool enters(const Walls& walls, int i, int j, int k, int opening) {
+    if (opening < 0) return false;
+    const LatticeOpening& place = walls.openings[opening];
+    if (place.out_x * d2q9::cx[k] + place.out_y * d2q9::cy[k] >= 0) return false;
+    const auto [dx, dy] = along_opening(place, k);
+    return is_open_at(walls, i - dx, j - dy);
+}
+
 void find_links(const WallBins& bins, Walls& walls) {
     const Lattice& lattice = walls.lattice;
     constexpr double smallest = 1e-9;
+    face_openings(bins, walls);
     for_each_site(lattice, [&](int i, int j) {
         if (!walls.is_open(i, j)) return;
         for (int k = 1; k < d2q9::count; ++k) {
             const int x = i - d2q9::cx[k], y = j - d2q9::cy[k];
             if (is_open_at(walls, x, y)) continue;
             const auto hit = bins.first_meeting(Lattice::position(i, j), Lattice::position(x, y));
-            WallLink link{i, j, k};
+            if (hit && enters(walls, i, j, k, hit->opening)) {
+                walls.inflow.push_back({i, j, k, hit->opening});
+                continue;
+            }
+            WallLink link;
+            link.i = i, link.j = j, link.direction = k;
             link.row_wall = lattice.walls && (y < 0 || y >= lattice.ny);
             // The lattice's own wall stands half-way, and is the pass's business alone.
             if (link.row_wall && !(hit && hit->share < 0.5)) continue;
@@ -153,6 +195,9 @@ void find_links(const WallBins& bins, Walls& walls) {
     });
     std::stable_sort(walls.links.begin(), walls.links.end(),
                      [](const WallLink& a, const WallLink& b) { return a.loop < b.loop; });
+    std::stable_sort(
+        walls.inflow.begin(), walls.inflow.end(),
+        [](const OpeningLink& a, const OpeningLink& b) { return a.opening < b.opening; });
 }
 
 /// Each site takes the nearest of the walls that are nearest to its neighbours, in sweeps to and
@@ -163,7 +208,7 @@ void measure_distances(const WallBins& bins, Walls& walls) {
     Field<std::int32_t> nearest(lattice, -1);
     walls.distance = Field<double>(lattice, HUGE_VAL);
     const auto consider = [&](int i, int j, std::int32_t segment) {
-        if (segment < 0) return;
+        if (segment < 0 || walls.segments[segment].opening >= 0) return;
         const Vec2 here = Lattice::position(i, j);
         const double away = norm(here - nearest_on(walls.segments[segment], here));
         if (away >= walls.distance(i, j)) return;
@@ -207,6 +252,13 @@ std::int64_t Walls::open_sites() const {
     std::int64_t count = 0;
     for (const OpenRun& run : runs) count += run.end - run.begin;
     return count;
+}
+
+double Walls::sampled_flow() const {
+    double excess = 0.0;
+    for (const LatticeOpening& opening : openings)
+        excess += 0.5 / std::pow(std::max(1, opening.width), 2);
+    return openings.empty() ? 1.0 : 1.0 + excess / static_cast<double>(openings.size());
 }
 
 double Walls::distance_at(Vec2 place) const {

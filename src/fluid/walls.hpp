@@ -24,6 +24,20 @@ struct WallLink {
     Vec2 velocity;          ///< of the wall
 };
 
+/// A population that enters site (i, j) along c_direction through an opening. Its mirror image in
+/// the opening departs from the open site (i, j) − c_t, with c_t the part of c along the opening.
+struct OpeningLink {
+    int i = 0, j = 0, direction = 0;
+    int opening = 0;
+};
+
+/// Where fluid goes in and out, on the lattice.
+struct LatticeOpening {
+    int out_x = 0, out_y = 0;  ///< direction out of the fluid; 0, 0: no site is beside it
+    int width = 0;             ///< sites beside it
+    double off = 0.0;          ///< from half-way between two sites, outwards [sites]
+};
+
 /// What had to be done to a drawing to put it on the lattice, and how fine that is.
 struct WallRemarks {
     int closed = 0;   ///< open sites that were closed, as a wall beside them is thinner than a site
@@ -43,11 +57,18 @@ struct Walls {
     Field<std::uint8_t> open;    ///< 1 or 0; the halo too
     std::vector<int> first_run;  ///< of each row, and the end
     std::vector<OpenRun> runs;
-    std::vector<WallLink> links;  ///< by loop, then by row and column
-    /// To the nearest wall, those of the lattice included [sites]; negative in the solid; the halo
-    /// too. Between sites to be interpolated.
+    std::vector<WallLink> links;           ///< by loop, then by row and column
+    std::vector<OpeningLink> inflow;       ///< by opening, then by row and column
+    std::vector<LatticeOpening> openings;  ///< of the solid, in its order
+    /// To the nearest wall, those of the lattice included, openings not [sites]; negative in the
+    /// solid; the halo too. Between sites to be interpolated.
     Field<double> distance;
     WallRemarks remarks;
+
+    /// By how much what passes ports, a sum over the sites across, is more than the flow rate, the
+    /// integral: 1 + 1/(2 H²) of a parabola over H sites, the mean of all ports, so that what goes
+    /// in still comes out. 1 without ports.
+    double sampled_flow() const;
 
     bool is_open(int i, int j) const { return open(i, j) != 0; }
     std::int64_t open_sites() const;

@@ -15,8 +15,7 @@ std::pair<int, int> shifts(double low, double high, double from, double to, doub
             static_cast<int>(std::floor((to - low) / period))};
 }
 
-/// Lowest and highest corner of a loop.
-std::pair<Vec2, Vec2> extent(const Loop& loop) {
+Corners corners(const Loop& loop) {
     Vec2 low = loop.front(), high = loop.front();
     for (const Vec2 p : loop) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -49,11 +48,49 @@ void cancel_pairs(std::vector<WallSegment>& segments) {
     std::erase_if(segments, [&](const WallSegment&) { return cancelled[n++]; });
 }
 
+template <class F>
+void for_each_point(Solid& solid, F&& f) {
+    for (Loop& loop : solid.loops)
+        for (Vec2& point : loop) f(point);
+    for (Opening& opening : solid.openings) {
+        f(opening.from);
+        f(opening.to);
+    }
+}
+
+/// Both ends of it lie on the opening, to a hundredth of a unit.
+bool is_part_of(const WallSegment& segment, const Opening& opening) {
+    constexpr double rounding = 1e-2;
+    const Vec2 along = opening.to - opening.from;
+    const double length = norm(along);
+    const auto on = [&](Vec2 p) {
+        const double way = dot(p - opening.from, along) / length;
+        return std::fabs(cross(along, p - opening.from)) <= rounding * length && way >= -rounding &&
+               way <= length + rounding;
+    };
+    return on(segment.from) && on(segment.to);
+}
+
 }  // namespace
 
+Corners corners_of(const std::vector<Loop>& loops) {
+    if (loops.empty()) return {};
+    Corners all = corners(loops.front());
+    for (const Loop& loop : loops) {
+        const Corners e = corners(loop);
+        all.low = {std::min(all.low.x, e.low.x), std::min(all.low.y, e.low.y)};
+        all.high = {std::max(all.high.x, e.high.x), std::max(all.high.y, e.high.y)};
+    }
+    return all;
+}
+
+Solid moved(Solid solid, Vec2 by) {
+    for_each_point(solid, [&](Vec2& p) { p += by; });
+    return solid;
+}
+
 Solid scaled(Solid solid, double factor) {
-    for (Loop& loop : solid.loops)
-        for (Vec2& point : loop) point *= factor;
+    for_each_point(solid, [&](Vec2& p) { p *= factor; });
     solid.period_x *= factor;
     solid.period_y *= factor;
     return solid;
@@ -63,7 +100,7 @@ std::vector<Loop> solid_loops(const Solid& solid, double width, double height) {
     std::vector<Loop> loops;
     if (solid.outside) loops.push_back({{0, 0}, {width, 0}, {width, height}, {0, height}});
     for (const Loop& loop : solid.loops) {
-        const auto [low, high] = extent(loop);
+        const auto [low, high] = corners(loop);
         const auto [x0, x1] = shifts(low.x, high.x, 0.0, width, solid.period_x);
         const auto [y0, y1] = shifts(low.y, high.y, 0.0, height, solid.period_y);
         for (int n = x0; n <= x1; ++n)
@@ -80,7 +117,7 @@ std::vector<WallSegment> segments_near(const Solid& solid, double width, double 
     std::vector<WallSegment> segments;
     for (std::size_t l = 0; l < solid.loops.size(); ++l) {
         const Loop& loop = solid.loops[l];
-        const auto [low, high] = extent(loop);
+        const auto [low, high] = corners(loop);
         const auto [x0, x1] = shifts(low.x, high.x, -reach, width + reach, solid.period_x);
         const auto [y0, y1] = shifts(low.y, high.y, -reach, height + reach, solid.period_y);
         for (int n = x0; n <= x1; ++n)
@@ -92,12 +129,15 @@ std::vector<WallSegment> segments_near(const Solid& solid, double width, double 
                 }
     }
     cancel_pairs(segments);
+    for (WallSegment& segment : segments)
+        for (std::size_t n = 0; n < solid.openings.size(); ++n)
+            if (is_part_of(segment, solid.openings[n])) segment.opening = static_cast<int>(n);
     return segments;
 }
 
 std::vector<double> crossings_of_row(const std::vector<WallSegment>& segments, double y) {
     std::vector<double> crossings;
-    for (const auto& [a, b, loop] : segments) {
+    for (const auto& [a, b, loop, opening] : segments) {
         if ((a.y < y) == (b.y < y)) continue;
         crossings.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
     }

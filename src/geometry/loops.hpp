@@ -11,11 +11,18 @@ namespace tt {
 /// A closed polygon; the last point joins the first. Either way round.
 using Loop = std::vector<Vec2>;
 
+/// A piece of a loop that fluid passes, straight and along an axis.
+struct Opening {
+    Vec2 from, to;
+    friend bool operator==(const Opening&, const Opening&) = default;
+};
+
 /// What is solid in the plane: by the even–odd rule what an odd number of loops goes around, or,
 /// where `outside`, what an even number does. Any one unit of length. Where a period is not 0 the
 /// same loops stand again at all its multiples.
 struct Solid {
     std::vector<Loop> loops;
+    std::vector<Opening> openings = {};
     bool outside = false;
     double period_x = 0.0, period_y = 0.0;
 
@@ -25,6 +32,14 @@ struct Solid {
 
 /// The same in another unit, `factor` times as large in numbers.
 Solid scaled(Solid solid, double factor);
+/// The same moved.
+Solid moved(Solid solid, Vec2 by);
+
+/// Lowest and highest corner of all loops; of none the origin.
+struct Corners {
+    Vec2 low, high;
+};
+Corners corners_of(const std::vector<Loop>& loops);
 
 /// The loops of what is solid in the box [0, width] × [0, height], those of periodic images that
 /// reach into it too: by the even–odd rule, with the box itself as one where fluid is inside.
@@ -34,6 +49,7 @@ std::vector<Loop> solid_loops(const Solid& solid, double width, double height);
 struct WallSegment {
     Vec2 from, to;
     int loop = 0;
+    int opening = -1;  ///< that it is part of; else −1
 };
 
 /// All pieces of the loops that come within `reach` of the box [0, width] × [0, height], those of

@@ -51,7 +51,7 @@ Ending ending_with(const Remedy& remedy, const BlowUp& blow_up, const HealthLimi
 }  // namespace
 
 Suggestion tried_suggestion(const std::vector<Remedy>& remedies, const BlowUp& blow_up,
-                    const HealthLimits& limits, Exchange& exchange) {
+                            const HealthLimits& limits, Exchange& exchange) {
     const Clock::time_point deadline = Clock::now() + patience;
     std::string failed;
     for (const Remedy& remedy : remedies) {

@@ -39,6 +39,12 @@ WallStress stress_at_walls(const Model& model, const Sites<Real>& sites) {
 }
 
 void measure_flow(const Model& model, const State& state, RunMeasures& m) {
+    if (!model.port_names.empty()) {  // which way is along? ports.csv has what goes where
+        m.flux.si = m.mean_velocity.si = m.pseudo_shear_rate.si = undefined;
+        m.pressure_gradient.si = m.mu_app.si = m.mu_rel = undefined;
+        m.wall_shear_stress.si = m.balance_shear_stress.si = undefined;
+        return;
+    }
     const Scales& scales = model.scales;
     const double width = model.lattice.ny;
     const double q = flux(model, state);

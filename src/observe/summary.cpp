@@ -55,7 +55,10 @@ std::string reason_for(std::string_view name, bool rows, bool cells) {
     };
     if (!rows) return "no row of the tables lies in the averaging window";
     if (name == "shear_number") return "no cells, or nothing that drives the flow";
-    if (starts("mu_")) return "nothing drives the flow, or nothing flows";
+    constexpr std::array along{"mean_velocity", "pseudo_shear_rate", "flux", "pressure_gradient"};
+    if (std::find(along.begin(), along.end(), name) != along.end())
+        return "channels between ports have no one direction; ports.csv has their flow";
+    if (starts("mu_")) return "nothing drives the flow, nothing flows, or it goes through ports";
     if (!cells) return "there are no cells";
     if (name == period)
         return "no cell turned its membrane by a fiftieth of a turn at an inclination that it kept";
@@ -242,6 +245,11 @@ Json summarise(const std::filesystem::path& results, const SummaryInput& input) 
             name == "inclination_deg" ? inclinations(cells, input) : cells.column(name));
     summary[std::string(period)] = tank_treading(cells, input);
     for (const char* name : flows) put(name, series, series.column(name));
+    if (std::filesystem::exists(results / "ports.csv")) {
+        const Table ports = read_csv(results / "ports.csv");
+        for (const std::string& name : ports.names)
+            if (name != "time" && name != "step") put(name, ports, ports.column(name));
+    }
     summary["shear_number"] =
         entry(input.shear_number.value_or(none), "", reason_for("shear_number", true, any));
     for (const char* name : stresses) put(name, cells, cells.column(name));

@@ -84,7 +84,9 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
                        {s.drive.body_force, m.drive.lean * s.drive.body_force}, force,
                        sites.relaxation, sites.populations, velocity);  // Eqs. 1–4
     x.fill(velocity);
-    settle(x, sites.links, sites.populations);  // waits until all velocities are there
+    settle(x, sites.populations, [&] {  // waits until all velocities are there
+        return sites.edges.apply(m.equilibrium, m.boundaries, velocity, sites.populations, s.ports);
+    });
     done(Pass::fluid);
 
     // … and of the cells again.

@@ -29,7 +29,8 @@ void derive(const Model& model, Sites<Real>& sites, State& state) {
     const Walls* const walls = model.boundaries.walls.get();
     const double push = state.drive.body_force;
     fill_velocity(sites.populations, {push, model.drive.lean * push}, walls, sites.velocity);
-    sites.links = walls ? WallLinks<Real>(*walls, sites.populations) : WallLinks<Real>();
+    sites.edges = walls ? Edges<Real>(*walls, sites.populations) : Edges<Real>();
+    state.ports.resize(model.boundaries.ports.size());
     sites.relaxation = Relaxation<Real>(lattice);
     sites.stencils = Stencils<Real>(state.cells.node_count());
     locate(model.delta, lattice, state.cells, sites.stencils);

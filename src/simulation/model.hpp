@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "base/quantity.hpp"
 #include "coupling/delta/delta.hpp"
@@ -34,6 +36,7 @@ struct Model {
     Equilibrium equilibrium;
     Precision precision = Precision::fp64;  ///< of what the sites hold
     Boundaries boundaries;
+    std::vector<std::string> port_names;  ///< of boundaries.ports
     Drive drive;
     ViscosityModel viscosity;
     Delta delta;

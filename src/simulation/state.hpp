@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <variant>
+#include <vector>
 
 #include "coupling/cut_stencils.hpp"
 #include "coupling/stencil.hpp"
@@ -9,7 +10,7 @@
 #include "fluid/moments.hpp"
 #include "fluid/populations.hpp"
 #include "fluid/relaxation.hpp"
-#include "fluid/wall_links.hpp"
+#include "fluid/edges.hpp"
 #include "interaction/contact.hpp"
 #include "membrane/suspension.hpp"
 
@@ -23,7 +24,7 @@ struct Sites {
     VectorField<Real> velocity;  ///< of the fluid; within a step at first the force on it
     Relaxation<Real> relaxation;
     Stencils<Real> stencils;
-    WallLinks<Real> links;  ///< of walls of any shape
+    Edges<Real> edges;      ///< walls of any shape, and ports
     CutStencils<Real> cut;  ///< of the nodes beside them
 
     Sites() = default;
@@ -44,14 +45,15 @@ struct DriveState {
     double integral = 0.0;
 };
 
-/// All that changes. A checkpoint holds step, populations, cells, drive, the contact counters and
-/// where the cytoplasm was last laid (interior.x, y); the rest is derived.
+/// All that changes. A checkpoint holds step, populations, cells, drive, the contact counters, the
+/// ports and where the cytoplasm was last laid (interior.x, y); the rest is derived.
 struct State {
     std::int64_t step = 0;
     SitesInPrecision sites;
     Suspension cells;
     DriveState drive;
     ContactState contact;
+    std::vector<PortFlow> ports;  ///< of the openings of the walls
 
     InteriorState interior;  ///< derived from the above, but for the places kept in it
 

@@ -40,6 +40,15 @@ void for_each_array(S& state, Visit&& visit) {
     visit("interior.y", state.interior.y);
 }
 
+/// The ports as one array: two densities and two inflows each.
+std::vector<double> array_of(const std::vector<PortFlow>& ports) {
+    std::vector<double> numbers;
+    for (const PortFlow& port : ports)
+        for (const auto& pair : {port.density, port.inflow})
+            numbers.insert(numbers.end(), pair.begin(), pair.end());
+    return numbers;
+}
+
 template <class S, class Visit>
 void for_each_number(S& state, Visit&& visit) {
     visit("step", state.step);
@@ -86,6 +95,19 @@ void load_populations(const ArchiveReader& archive, Exchange& exchange,
         }
     }
     if (odd) exchange.fill(populations);  // as `settle` left it
+}
+
+void load_ports(const ArchiveReader& archive, const Model& model, State& state) {
+    state.ports.resize(model.boundaries.ports.size());
+    if (state.ports.empty()) return;
+    const auto numbers = archive.take<double>("ports");
+    if (numbers.size() != 4 * state.ports.size()) refuse("it is of other ports");
+    const double* from = numbers.data();
+    for (PortFlow& port : state.ports)
+        for (auto* pair : {&port.density, &port.inflow})
+            for (double& number : *pair) number = *from++;
+    for (const double number : numbers)
+        if (!std::isfinite(number)) refuse("'ports' holds a number that is not finite");
 }
 
 /// The fewest nodes of a cell, as `add_cell` asks.
@@ -174,6 +196,7 @@ void copy_saved(const State& from, State& to) {
     to.drive = from.drive;
     to.contact.repulsion_count = from.contact.repulsion_count;
     to.contact.smallest_gap = from.contact.smallest_gap;
+    to.ports = from.ports;
     to.interior.x = from.interior.x;
     to.interior.y = from.interior.y;
 }
@@ -181,6 +204,7 @@ void copy_saved(const State& from, State& to) {
 void save_state(ArchiveOutput& archive, const State& state) {
     for_each_number(state, [&](const char* name, auto value) { archive.put_value(name, value); });
     for_each_array(state, [&](const char* name, const auto& values) { archive.put(name, values); });
+    if (!state.ports.empty()) archive.put("ports", array_of(state.ports));
     std::visit(
         [&](const auto& sites) {
             const auto& populations = sites.populations;
@@ -199,6 +223,7 @@ State load_state(const ArchiveReader& archive, const Model& model, Exchange& exc
     for_each_array(state, [&](const char* name, auto& values) {
         values = archive.take<typename std::remove_cvref_t<decltype(values)>::value_type>(name);
     });
+    load_ports(archive, model, state);
     expect_sound(model.lattice, state);
     size_derived(state.cells);
     state.sites = sites_at_rest(model.lattice, model.precision);
@@ -225,6 +250,8 @@ std::uint64_t state_hash(const State& state) {
     for_each_array(state, [&](const char*, const auto& values) {
         sum.add(values.data(), values.size() * sizeof values[0]);
     });
+    const std::vector<double> ports = array_of(state.ports);
+    sum.add(ports.data(), ports.size() * sizeof(double));
     std::visit(
         [&](const auto& sites) {
             for (int i = 0; i < d2q9::count; ++i) {

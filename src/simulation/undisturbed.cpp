@@ -7,13 +7,13 @@
 #include "exchange/periodic.hpp"
 #include "fluid/collide_stream.hpp"
 #include "fluid/collision/collision.hpp"
-#include "fluid/wall_links.hpp"
+#include "fluid/edges.hpp"
 
 namespace tt {
 namespace {
 
 constexpr double force = 1e-6;
-constexpr double viscosity = 0.5;  // τ = 2: momentum spreads fast, pressure not too slowly
+constexpr double usual_viscosity = 0.5;  // τ = 2: momentum spreads fast, pressure not too slowly
 
 /// Fluid and walls, at rest at first.
 struct Settling {
@@ -21,26 +21,38 @@ struct Settling {
     VectorField<> no_force, velocity;
     Relaxation<> relaxation;
     Populations<> populations;
-    WallLinks<> links;
+    Edges<> edges;
+    std::vector<PortFlow> ports;
     Periodic exchange;
     Vec2 push;  ///< the force
 
-    Settling(const Walls& walls, Vec2 direction)
+    Settling(const Walls& walls, Vec2 direction, double viscosity = usual_viscosity)
         : no_force(walls.lattice),
           velocity(walls.lattice),
           relaxation(walls.lattice),
           populations(walls.lattice),
-          links(walls, populations),
+          edges(walls, populations),
           push(force * direction) {
         boundaries.walls = std::shared_ptr<const Walls>(std::shared_ptr<void>(), &walls);
         const Rates rates = Trt{}.rates(viscosity);
         relaxation.even.fill(rates.even);
         relaxation.odd.fill(rates.odd);
     }
+    /// What enters through ports and does not leave, over what passes them.
+    double imbalance() const {
+        double sum = 0.0, passing = 0.0;
+        for (const PortFlow& port : ports) {
+            sum += port.mean_inflow();
+            passing += std::fabs(port.mean_inflow());
+        }
+        return passing > 0.0 ? std::fabs(sum) / passing : 0.0;
+    }
     void step() {
         collide_and_stream(LinearEquilibrium{}, boundaries, push, no_force, relaxation, populations,
                            velocity);
-        settle(exchange, links, populations);
+        settle(exchange, populations, [&] {
+            return edges.apply(LinearEquilibrium{}, boundaries, velocity, populations, ports);
+        });
         team_barrier();
     }
 };
@@ -51,20 +63,23 @@ Vec2 mean_velocity(const VectorField<>& velocity) {
            (static_cast<double>(lattice.nx) * lattice.ny);
 }
 
-/// Until what is left to come, by the pace at which changes get smaller, is a share of 10⁻⁵.
-void run_until_steady(Settling& flow, int threads) {
+/// Until what is left to come of `measure`, by the pace at which changes get smaller, is a share of
+/// 10⁻⁵, and as much goes out as comes in.
+template <class Measure>
+void run_until_steady(Settling& flow, int threads, Measure&& measure) {
     constexpr int steps = 250, most = 4000;
     double mean = 0.0, change = HUGE_VAL;
     for (int n = 0; n < most; ++n) {
         with_team(threads, [&] {
             for (int k = 0; k < steps; ++k) flow.step();
         });
-        const double now = dot(mean_velocity(flow.velocity), flow.push) / force;
+        const double now = measure();
         const double before = std::exchange(change, now - mean);
         mean = now;
         const double pace = std::fabs(change / before);
         const double left = pace < 1.0 ? std::fabs(change) * pace / (1.0 - pace) : HUGE_VAL;
-        if (n > 2 && left < 1e-5 * std::fabs(mean)) return;
+        const bool steady = left < 1e-5 * std::fabs(mean) || change == 0.0;
+        if (n > 2 && steady && flow.imbalance() < 1e-5) return;
     }
 }
 
@@ -86,13 +101,10 @@ void measure(const Walls& walls, UndisturbedFlow& flow) {
         for (const int j : {0, walls.lattice.ny - 1}) rate(i, j, true, 0.5);
 }
 
-/// Velocity and density where a force along this direction has made them steady, each the mean of
-/// two steps.
-void settle_along(const Walls& walls, Vec2 direction, int threads, VectorField<>& velocity,
-                  Field<>& density) {
+/// Adds the mean of the next two steps.
+void average_two_steps(const Walls& walls, Settling& settling, VectorField<>& velocity,
+                       Field<>& density) {
     const Lattice& lattice = walls.lattice;
-    Settling settling(walls, direction);
-    run_until_steady(settling, threads);
     for (int step = 0; step < 2; ++step) {
         settling.step();
         for (int j = 0; j < lattice.ny; ++j) {
@@ -105,6 +117,16 @@ void settle_along(const Walls& walls, Vec2 direction, int threads, VectorField<>
             }
         }
     }
+}
+
+/// Velocity and density where a force along this direction has made them steady, each the mean of
+/// two steps.
+void settle_along(const Walls& walls, Vec2 direction, int threads, VectorField<>& velocity,
+                  Field<>& density) {
+    Settling settling(walls, direction);
+    run_until_steady(settling, threads,
+                     [&] { return dot(mean_velocity(settling.velocity), settling.push) / force; });
+    average_two_steps(walls, settling, velocity, density);
 }
 
 /// Takes off what turns the mean flow aside.
@@ -150,6 +172,7 @@ UndisturbedFlow undisturbed_flow(const Walls& walls, int threads) {
     const Vec2 mean = mean_velocity(flow.velocity);
     if (!lattice.walls && std::fabs(mean.y) > 1e-5 * std::fabs(mean.x))
         keep_along_x(walls, threads, flow);
+    const double viscosity = usual_viscosity;
     const double rate =
         (sum_over_sites(flow.velocity.x) + flow_beside_walls(walls, flow.velocity.x)) / lattice.nx;
     flow.conductance = rate * viscosity / force;
@@ -160,6 +183,37 @@ UndisturbedFlow undisturbed_flow(const Walls& walls, int threads) {
         flow.density.data()[n] /= unit * viscosity;
     }
     flow.site_mean = mean_velocity(flow.velocity).x;
+    measure(walls, flow);
+    return flow;
+}
+
+UndisturbedFlow undisturbed_flow(const Walls& walls, const std::vector<PortCondition>& conditions,
+                                 int threads) {
+    // Momentum spreads across in H²/(π² ν) steps and density along in some 18 ν (A/H²)² (of a
+    // channel of area A): the viscosity for which both are alike.
+    double widest = 0.0;
+    for (const LatticeOpening& opening : walls.openings)
+        widest = std::max(widest, static_cast<double>(opening.width));
+    const double viscosity = std::clamp(
+        std::pow(widest, 3) / (13.3 * static_cast<double>(walls.open_sites())), 0.05, 0.5);
+    Settling settling(walls, {}, viscosity);
+    settling.boundaries.ports = conditions;
+    for (PortCondition& condition : settling.boundaries.ports)
+        if (auto* held = std::get_if<HeldDensity>(&condition)) held->deviation *= viscosity;
+    settling.ports.resize(conditions.size());
+    run_until_steady(settling, threads, [&] {
+        double power = 0.0;  // Σ Q p
+        for (const PortFlow& port : settling.ports)
+            power += port.mean_inflow() * port.mean_density();
+        return power;
+    });
+    UndisturbedFlow flow;
+    flow.velocity = VectorField<>(walls.lattice);
+    flow.density = Field<>(walls.lattice);
+    average_two_steps(walls, settling, flow.velocity, flow.density);
+    for (std::size_t n = 0; n < flow.density.size(); ++n) flow.density.data()[n] /= viscosity;
+    for (const PortFlow& port : settling.ports)
+        flow.ports.push_back({port.mean_inflow(), port.mean_density() / viscosity});
     measure(walls, flow);
     return flow;
 }

@@ -1,0 +1,49 @@
+#include "app/check_walls.hpp"
+
+#include <cmath>
+
+#include "base/units.hpp"
+#include "case/openings.hpp"
+#include "case/port_figures.hpp"
+#include "case/walls_of.hpp"
+
+namespace tt {
+namespace {
+
+/// What each port holds, and what of it plasma alone makes.
+void print_ports(const Case& c, const Choice& choice) {
+    const std::vector<Opening> openings = port_places(c).openings;
+    for (std::size_t n = 0; n < c.ports.size(); ++n) {
+        const PortFigures port = figures_of(c, choice, n);
+        const LatticeOpening& place = choice.walls->openings[n];
+        std::string text = fmt::format(
+            "{}: {} wide, {} sites; pressure {}, flow rate {}, mean velocity {}{}", c.ports[n].name,
+            rounded_text(port.width), place.width, rounded_text(port.pressure, 4),
+            fmt::format("{:.4g} mm^2/s", 1e6 * port.flow_rate.si), fmt::format("{:.4g} mm/s", 1e3 * port.mean_velocity.si),
+            c.ports[n].pressure ? "" : ", flow held");
+        if (std::fabs(place.off) > 0.01)
+            text += fmt::format("; {:.2f} sites off the middle between two sites", place.off);
+        print_line(n == 0 ? "ports" : "", text);
+    }
+    print_line("late answer", late_answer_text(choice));
+}
+
+}  // namespace
+
+void print_walls(const Case& c, const Choice& choice) {
+    if (!choice.walls) return;
+    print_line("walls", fmt::format("{}; {}", word_of(c.geometry.shape),
+                                    description(*choice.walls, choice.dx.si)));
+    if (c.network()) {
+        print_ports(c, choice);
+        return;
+    }
+    // Of straight channels of this width the flow is off by 0.66/H² (docs/theory/walls.md).
+    print_line("resistance",
+               fmt::format("flow rate per force {:.4g} times that of the open box; expect {:.1g} % "
+                           "of error from the walls",
+                           12.0 * choice.undisturbed->conductance / std::pow(choice.ny, 3),
+                           66.0 / std::pow(narrowest_gap(*choice.walls), 2)));
+}
+
+}  // namespace tt

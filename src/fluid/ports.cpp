@@ -1,0 +1,67 @@
+#include "fluid/ports.hpp"
+
+#include <utility>
+
+namespace tt {
+
+template <class Real>
+Ports<Real>::Ports(const Walls& walls, const Populations<Real>& populations) {
+    const Lattice& lattice = walls.lattice;
+    const auto place = [&](int slot, int i, int j) {
+        return static_cast<std::uint32_t>(populations.row(slot, lattice.row_in_box(j)) +
+                                          wrapped(i, lattice.nx));
+    };
+    ports_.resize(walls.openings.size());
+    for (const OpeningLink& link : walls.inflow) {
+        Port& port = ports_[link.opening];
+        port.across_x = walls.openings[link.opening].out_x != 0;
+        const int k = link.direction, m = mirrored_direction(k, port.across_x);
+        const int dx = d2q9::cx[k], dy = d2q9::cy[k];
+        const int tx = port.across_x ? 0 : dx, ty = port.across_x ? dy : 0;
+        const auto weight = static_cast<Real>(d2q9::weight[k]);
+        port.links.push_back({place(d2q9::opposite[m], link.i - tx, link.j - ty),
+                              place(d2q9::opposite[k], link.i - dx, link.j - dy),
+                              place(m, link.i - dx + tx, link.j - dy + ty),
+                              place(k, link.i, link.j), link.i, link.j, weight});
+        port.weight += d2q9::weight[k];
+    }
+}
+
+template <class Real>
+void Ports<Real>::apply(const std::vector<PortCondition>& conditions,
+                        const VectorField<Real>* velocity, Populations<Real>& populations,
+                        std::vector<PortFlow>& flow) const {
+    Real* const f = populations.data();
+    const bool even = populations.phase == Phase::even;
+    const auto dynamic = [&](const Port& port, const Link& link) {
+        if (!velocity) return 0.0;
+        const double u = port.across_x ? velocity->x(link.i, link.j) : velocity->y(link.i, link.j);
+        return 6.0 * link.weight * u * u;
+    };
+    for (std::size_t n = 0; n < ports_.size(); ++n) {
+        const Port& port = ports_[n];
+        double gone = 0.0, extra = 0.0;
+        for (const Link& link : port.links) {
+            gone += f[even ? link.even_source : link.odd_source];
+            extra += dynamic(port, link);
+        }
+        double density = 0.0;
+        if (const auto* held = std::get_if<HeldDensity>(&conditions[n]))
+            density = held->deviation;
+        else
+            density = (std::get<HeldInflow>(conditions[n]).rate + 2.0 * gone - extra) /
+                      (2.0 * port.weight);
+        flow[n].density = {density, flow[n].density[0]};
+        flow[n].inflow = {2.0 * port.weight * density + extra - 2.0 * gone, flow[n].inflow[0]};
+        for (const Link& link : port.links) {
+            const double source = f[even ? link.even_source : link.odd_source];
+            f[even ? link.even_target : link.odd_target] =
+                static_cast<Real>(2.0 * link.weight * density + dynamic(port, link) - source);
+        }
+    }
+}
+
+template class Ports<double>;
+template class Ports<float>;
+
+}  // namespace tt
