@@ -124,7 +124,7 @@ void add_rows(const Json& json, const std::string& prefix, HtmlTable& table) {
 }  // namespace
 
 std::string summary_section(std::span<const Results> runs, const std::vector<std::string>& labels) {
-    const std::string title = "<h2>Summary</h2>\n";
+    const std::string title = heading("summary", "Summary");
     if (all_quantities(runs).empty())
         return title + "<p>No summary yet: it is written when a run ends.</p>\n";
     return title +
@@ -170,7 +170,7 @@ std::string checks_section(std::span<const Results> runs, const std::vector<std:
             table.add_row(texts, ok ? "" : "raised");
         }
     }
-    std::string text = "<h2>Checks</h2>\n";
+    std::string text = heading("checks", "Checks");
     if (all == 0) return text + "<p>Nothing to judge yet.</p>\n";
     if (told > 0) text += table.text();
     if (!single) text += fmt::format("<p>{} of {} checks are in order.</p>\n", all - told, all);
@@ -179,13 +179,13 @@ std::string checks_section(std::span<const Results> runs, const std::vector<std:
 
 std::string provenance_section(std::span<const Results> runs,
                                const std::vector<std::string>& labels) {
-    std::string text = "<h2>Provenance</h2>\n";
+    std::string text = heading("provenance", "Provenance");
     for (std::size_t r = 0; r < runs.size(); ++r) {
         if (runs[r].provenance.empty()) continue;
         HtmlTable table("", {{"what", ""}, {"value", "word"}});
         add_rows(runs[r].provenance, "", table);
-        text += fmt::format("<details{}><summary>{}</summary>{}</details>\n",
-                            runs.size() == 1 ? " open" : "", html(labels[r]), table.text());
+        text += fmt::format("<details><summary>{}</summary>{}</details>\n", html(labels[r]),
+                            table.text());
     }
     return text;
 }
