@@ -98,7 +98,7 @@ std::string key_numbers_section(std::span<const Results> runs,
     std::vector<HtmlTable::Column> columns{{"number", ""}};
     for (const std::string& label : labels)
         columns.push_back({runs.size() == 1 ? "value" : label, "number"});
-    columns.push_back({"unit", ""});
+    columns.push_back({"unit", "unit"});
     columns.push_back({"meaning", "meaning"});
     HtmlTable table("Means over the window of the summary, or the later half of the run.", columns);
     bool any = false;

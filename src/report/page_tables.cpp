@@ -47,7 +47,7 @@ std::string summary_of_one(const Results& run) {
                         " ± their standard error by batch means; the standard deviation over "
                         "time, and that over cells of each cell's mean.",
                     {{"quantity", ""},
-                     {"unit", ""},
+                     {"unit", "unit"},
                      {"mean ± error", "number"},
                      {"sd in time", "number"},
                      {"sd over cells", "number"},
@@ -74,7 +74,7 @@ std::vector<SummaryLine> all_quantities(std::span<const Results> runs) {
 }
 
 std::string summary_of_many(std::span<const Results> runs, const std::vector<std::string>& labels) {
-    std::vector<HtmlTable::Column> columns{{"quantity", ""}, {"unit", ""}};
+    std::vector<HtmlTable::Column> columns{{"quantity", ""}, {"unit", "unit"}};
     for (const std::string& label : labels) columns.push_back({label, "number"});
     HtmlTable table("Means over each run's window ± their standard error by batch means.", columns);
 

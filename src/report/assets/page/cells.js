@@ -99,9 +99,11 @@ const cells = (() => {
     if (chosen < 0 || !drawn[chosen]) return;
     context.beginPath();
     for (const [x, y] of drawn[chosen].shifts) trace(context, drawn[chosen].points, x, y);
-    context.strokeStyle = theme.now().accent;
-    context.lineWidth = 3.5;
-    context.stroke();
+    for (const [colour, width] of [[theme.now().back, 6], [theme.now().ink, 3]]) {
+      context.strokeStyle = colour;
+      context.lineWidth = width;
+      context.stroke();
+    }
     writeNumber(context, panel, drawn[chosen]);
   }
 

@@ -1,7 +1,7 @@
 // Charts over time, of the series of the runs and of every cell; a line marks the time of the clock, a click sets it.
 
 const charts = (() => {
-  const colourOf = (r) => ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", theme.now().ink][r % 7];
+  const colourOf = (r) => ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8a6d00"][r % 7];
   const dashes = [[], [8, 4], [2, 3]];
   const made = [];
 
@@ -30,7 +30,7 @@ const charts = (() => {
     });
     if (chosen && chosen.run.cells && chosen.run.cells.has(key))
       curves.push({ label: (data.single ? "" : chosen.run.label + " ") + "cell " + chosen.number, times: milliseconds(chosen.run.cells.time),
-        values: scaled(chosen.run.cells.curve(key, chosen.number), factor), stroke: theme.now().accent, width: 2.5 });
+        values: scaled(chosen.run.cells.curve(key, chosen.number), factor), stroke: theme.now().ink, width: 2.5 });
     return curves;
   }
 
@@ -49,7 +49,7 @@ const charts = (() => {
 
   const tick = (v) => (v === 0 ? "0" : Math.abs(v) < 1e-3 || Math.abs(v) >= 1e5 ? v.toExponential(1) : String(+v.toPrecision(6)));
 
-  function options(key, curves, place) {
+  function options(key, curves, place, drawn) {
     const [factor, unit] = data.convert(meaningOf(key).unit), now = theme.now(), font = theme.font(13), line = { stroke: now.line };
     return {
       width: place.clientWidth, height: 250,
@@ -57,6 +57,7 @@ const charts = (() => {
         points: { show: false }, value: (_, v) => (v == null ? "–" : v.toPrecision(4)) }))],
       scales: { x: { time: false } },
       legend: { show: curves.length <= 9 },
+      hooks: { draw: [drawn] },
       axes: [{ label: "time [ms]", font, labelFont: font, stroke: now.ink, grid: { show: false }, ticks: line },
         { label: key + (unit ? " [" + unit + "]" : ""), font, labelFont: font, stroke: now.ink, size: 64, grid: line, ticks: line,
           values: (_, ticks) => ticks.map(tick) }],
@@ -71,7 +72,8 @@ const charts = (() => {
     let pressed = 0;
     plot.over.addEventListener("mousedown", (event) => { pressed = event.clientX; });
     plot.over.addEventListener("click", (event) => {
-      if (data.playing.length && Math.abs(event.clientX - pressed) < 4) clock.set(plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x") * 1e-3);
+      const at = event.clientX - plot.over.getBoundingClientRect().left;
+      if (data.playing.length && Math.abs(event.clientX - pressed) < 4) clock.set(plot.posToVal(at, "x") * 1e-3);
     });
     return () => {
       const at = plot.valToPos(clock.time() * 1e3, "x");
@@ -106,10 +108,8 @@ const charts = (() => {
       if (!found.length) return;
       const { table, curves } = joined(found);
       note.textContent = info.meaning;
-      plot = new uPlot(options(select.value, curves, place), table, place);
-      plot.hooks.setScale = [() => follow()];
+      plot = new uPlot(options(select.value, curves, place, () => follow()), table, place);
       follow = followClock(plot);
-      follow();
     }
     select.addEventListener("change", draw);
     new ResizeObserver(() => {

@@ -57,7 +57,11 @@ if (player) (() => {
   fillRuns();
   [scrub.min, scrub.max, scrub.step] = [clock.first, clock.last, "any"];
   play.addEventListener("click", () => clock.toggle());
-  scrub.addEventListener("input", () => { clock.stop(); clock.set(Number(scrub.value)); });
+  scrub.addEventListener("input", () => {
+    const to = Number(scrub.value);
+    clock.stop();
+    clock.set(to);
+  });
   pace.addEventListener("change", () => clock.pace(Number(pace.value)));
   colour.addEventListener("change", () => { player.state.quantity = colours.offered[Number(colour.value)]; player.redraw(); });
   background.addEventListener("change", () => { player.state.background = background.checked; player.redraw(); });

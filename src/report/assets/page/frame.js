@@ -97,7 +97,7 @@ const frame = (() => {
   // Numbers that tell the ends of a range apart.
   function inRange(value, low, high) {
     if (Math.max(Math.abs(low), Math.abs(high)) >= 1e5) return value.toExponential(2);
-    return String(+value.toFixed(Math.min(Math.max(Math.ceil(-Math.log10(high - low)) + 2, 0), 12)));
+    return String(+value.toFixed(Math.min(Math.max(Math.ceil(-Math.log10(high - low)) + 2, 0), 12))).replace("-", "−");
   }
 
   function bar(context, name, map, [low, high], unit, x, y, width) {

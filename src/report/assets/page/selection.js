@@ -35,7 +35,11 @@ const selection = (() => {
     }
   }
 
-  const shownText = (v) => (Number.isNaN(v) ? "–" : v === 0 ? "0" : Math.abs(v) < 1e-3 || Math.abs(v) >= 1e5 ? v.toExponential(3) : String(+v.toPrecision(4)));
+  function shownText(v) {
+    if (Number.isNaN(v)) return "–";
+    const plain = v === 0 || (Math.abs(v) >= 1e-3 && Math.abs(v) < 1e5);
+    return plain ? String(+v.toPrecision(4)) : v.toExponential(3);
+  }
 
   function showNumbers() {
     const cell = player.state.cell;

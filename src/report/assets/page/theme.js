@@ -7,10 +7,11 @@ const theme = (() => {
   function read() {
     const style = getComputedStyle(document.documentElement);
     colours = {};
-    for (const name of ["ink", "soft", "faint", "line", "back", "accent", "wall", "edge", "body"]) colours[name] = style.getPropertyValue("--" + name).trim();
+    for (const name of ["ink", "soft", "faint", "line", "back", "wall", "edge", "body"]) colours[name] = style.getPropertyValue("--" + name).trim();
     colours.dark = dark.matches;
   }
   read();
   dark.addEventListener("change", () => { read(); listeners.forEach((f) => f()); });
-  return { now: () => colours, onChange: (f) => listeners.push(f), font: (size, weight = "") => `${weight} ${size}px system-ui, "DejaVu Sans", sans-serif` };
+  const font = (size, weight = "") => `${weight} ${size}px system-ui, "DejaVu Sans", sans-serif`;
+  return { now: () => colours, onChange: (f) => listeners.push(f), font };
 })();
