@@ -85,8 +85,8 @@ KeyNumbers key_numbers(const Results& run) {
     n.cell_reynolds_run = chosen(run, "density_scale") * n.cell_reynolds;
     n.wall_shear_stress = window_mean(run, "wall_shear_stress");
     n.mean_velocity = shear ? nan : window_mean(run, "mean_velocity");
-    n.channel_reynolds = density * std::abs(n.mean_velocity) *
-                         setting_si(run.setting("domain.width")) / viscosity;
+    n.channel_reynolds =
+        density * std::abs(n.mean_velocity) * setting_si(run.setting("domain.width")) / viscosity;
     n.hematocrit = window_mean(run, "hematocrit_tube");
     return n;
 }

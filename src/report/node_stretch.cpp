@@ -18,9 +18,9 @@ std::vector<double> chosen_stretches(const FramesHeader& header, const Frame& fr
     for (std::size_t c = 0; c + 1 < first.size(); ++c) {
         for (int k = first[c]; k < first[c + 1]; ++k) {
             const auto begin = static_cast<std::size_t>(chosen[static_cast<std::size_t>(k)]);
-            const auto end = static_cast<std::size_t>(
-                k + 1 < first[c + 1] ? chosen[static_cast<std::size_t>(k) + 1]
-                                     : header.first[c + 1]);
+            const auto end = static_cast<std::size_t>(k + 1 < first[c + 1]
+                                                          ? chosen[static_cast<std::size_t>(k) + 1]
+                                                          : header.first[c + 1]);
             double length = 0.0, rest = 0.0;
             for (std::size_t n = begin; n < end; ++n) {
                 length += lengths[n];

@@ -78,8 +78,7 @@ std::vector<double> block_speeds(const FramesHeader& header, const Frame& frame,
     for (int j = 0; j < ny * stride; ++j)
         for (int i = 0; i < nx * stride; ++i) {
             const std::size_t site = static_cast<std::size_t>(j) * header.nx + i;
-            const double speed =
-                std::hypot(frame.velocity[2 * site], frame.velocity[2 * site + 1]);
+            const double speed = std::hypot(frame.velocity[2 * site], frame.velocity[2 * site + 1]);
             const std::size_t block = static_cast<std::size_t>(j / stride) * nx + i / stride;
             if (!std::isfinite(speed)) continue;
             speeds[block] += speed;
@@ -93,8 +92,8 @@ std::vector<double> block_speeds(const FramesHeader& header, const Frame& frame,
 std::string scaled_bytes(const std::vector<double>& speeds, double fastest) {
     std::string bytes;
     for (const double speed : speeds)
-        bytes += static_cast<char>(static_cast<unsigned char>(
-            fastest > 0.0 ? std::lround(255.0 * speed / fastest) : 0));
+        bytes += static_cast<char>(
+            static_cast<unsigned char>(fastest > 0.0 ? std::lround(255.0 * speed / fastest) : 0));
     return bytes;
 }
 
@@ -130,9 +129,9 @@ int block_of_sites(const FramesHeader& header, std::size_t frames, const PageLim
 Json flow_direction(const Results& run) {
     const std::string drive = run.setting("flow.drive", "none");
     const bool shear = drive == "shear", given = !run.setting("flow.shear_rate").empty();
-    const double along = shear ? setting_si(run.setting(given ? "flow.shear_rate"
-                                                              : "flow.shear_number"))
-                               : window_mean(run, "mean_velocity");
+    const double along =
+        shear ? setting_si(run.setting(given ? "flow.shear_rate" : "flow.shear_number"))
+              : window_mean(run, "mean_velocity");
     const bool moves = drive != "none" && std::isfinite(along) && along != 0.0;
     return {{"drive", !moves ? "none" : shear ? "shear" : "channel"}, {"sign", along < 0 ? -1 : 1}};
 }
@@ -197,8 +196,7 @@ Json series_data(const Results& run, const PageLimits& limits) {
 Json player_data(const Results& run, const PageLimits& limits) {
     if (!run.frames || run.frames->count() == 0) return nullptr;
     const FramesHeader& header = run.frames->header();
-    const NodeChoice choice =
-        chosen_nodes(header, nodes_per_cell(cell_count(header), limits));
+    const NodeChoice choice = chosen_nodes(header, nodes_per_cell(cell_count(header), limits));
     const auto frames = embedded_frames(run.frames->count(), choice.nodes.size(), limits);
     const int block = block_of_sites(header, frames.size(), limits);
     const double quantum = 1.6 * std::max(header.length, header.width) / 32767.0;

@@ -56,7 +56,7 @@ const charts = (() => {
       series: [{ label: "time [ms]" }, ...curves.map((c) => ({ label: c.label, stroke: c.stroke, width: c.width, dash: c.dash, spanGaps: true,
         points: { show: false }, value: (_, v) => (v == null ? "–" : v.toPrecision(4)) }))],
       scales: { x: { time: false } },
-      legend: { show: curves.length <= 9 },
+      legend: { show: curves.length <= (data.single ? 9 : 40) },
       hooks: { draw: [drawn] },
       axes: [{ label: "time [ms]", font, labelFont: font, stroke: now.ink, grid: { show: false }, ticks: line },
         { label: key + (unit ? " [" + unit + "]" : ""), font, labelFont: font, stroke: now.ink, size: 64, grid: line, ticks: line,
@@ -82,11 +82,12 @@ const charts = (() => {
     };
   }
 
+  // Cells of more than a few runs in one chart could not be told apart.
   function keysOf(onlyCells) {
-    const keys = new Set();
+    const keys = new Set(), few = data.runs.length <= 6;
     for (const run of data.runs) {
       if (!onlyCells) run.columns.forEach((c) => c.values.some((v) => v !== null) && keys.add(c.key));
-      if (run.cells) run.cells.keys.forEach((k) => keys.add(k.key));
+      if (run.cells && (few || onlyCells)) run.cells.keys.forEach((k) => keys.add(k.key));
     }
     keys.delete("time");
     keys.delete("step");

@@ -38,9 +38,13 @@ const player = (() => {
 
   // The bar of the flow tells the time of its field where that is not the time of the cells.
   function flowName() {
-    const p = panels[0].run.player, k = p.frame(clock.time()), held = field.latest(p, k);
-    if (held === null) return "speed of the flow, none yet";
-    return "speed of the flow" + (held === k ? "" : " at " + clock.text(p.times[held]));
+    const held = panels.map(({ run: { player: p } }) => {
+      const k = p.frame(clock.time()), found = field.latest(p, k);
+      return { found, late: found !== k, time: p.times[found] };
+    });
+    if (held.every((h) => h.found === null)) return "speed of the flow, none yet";
+    if (!held.some((h) => h.late)) return "speed of the flow";
+    return "speed of the flow" + (held.length === 1 ? " at " + clock.text(held[0].time) : ", latest");
   }
 
   // Between which ends head and foot stand.
