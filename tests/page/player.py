@@ -68,12 +68,14 @@ class Page(Chromium):
 
     def push(self, button):
         self.run(f"element('{button}').scrollIntoView({{ block: 'nearest' }})")
+        self.settle()
         box = self.run(f"(() => {{ const b = element('{button}').getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]; }})()")
         self.click(*box)
 
     def point_at(self, x, y):
         """Clicks on the canvas, in its own pixels of the page."""
         self.run("player.canvas.scrollIntoView({ block: 'nearest' })")
+        self.settle()
         left, top = self.run("(() => { const b = player.canvas.getBoundingClientRect(); return [b.x, b.y]; })()")
         self.click(left + x, top + y)
         self.settle()
@@ -122,11 +124,14 @@ def time_goes_by(page):
     before = page.picture_hash()
     page.pick("pace", "1 : 1" + "\u2009" + "000")
     page.push("play")
-    page.wait("clock.time() > 0.6e-3")
+    page.wait("clock.time() > 0.6e-3", 20)
     assert page.run("element('play').textContent") == "Pause" and page.picture_hash() != before, "the cells move"
-    pace = page.run("""new Promise((done) => { const from = clock.time(), start = performance.now();
-        setTimeout(() => requestAnimationFrame((now) => done((clock.time() - from) / (now - start) * 1e3)), 700); })""")
-    near(pace * 1000, 1.0, 0.15, "1 s shows 1 ms")
+    # Between two pictures; the clock waits where the machine stands still for long, hence three tries.
+    paces = [page.run("""new Promise((done) => requestAnimationFrame((from) => {
+        const start = clock.time();
+        setTimeout(() => requestAnimationFrame((to) => done((clock.time() - start) / (to - from) * 1e6)), 500);
+    }))""") for _ in range(3)]
+    near(min(paces, key=lambda p: abs(p - 1)), 1.0, 0.03, "1 s shows 1 ms")
     page.push("play")
     stood = page.time()
     time.sleep(0.1)
@@ -223,27 +228,30 @@ def charts_follow(page):
 
 
 def saved(page, folder, ending, within):
+    """The file that comes, once the page has told of it."""
     until = time.monotonic() + within
     while time.monotonic() < until:
         for path in folder.glob("*." + ending):
             return path.read_bytes()
         time.sleep(0.05)
-    raise AssertionError(f"no {ending} came")
+    note = page.run("element('save-note').textContent")
+    raise AssertionError(f"no {ending} came in {within} s; the page says '{note}', {[p.name for p in folder.iterdir()]} {page.complaints}")
 
 
 def pictures_are_saved(page, folder):
     folder.mkdir()
     page.save_to(folder)
     page.push("save-png")
-    png = saved(page, folder, "png", 5)
+    png = saved(page, folder, "png", 20)
     assert png[:8] == b"\x89PNG\r\n\x1a\n" and list(struct.unpack(">II", png[16:24])) == page.run("[player.canvas.width, player.canvas.height]")
     page.pick("pace", "1 : 200")
-    page.push("save-webm")
+    page.run("window.earliest = clock.last; clock.onChange(() => { window.earliest = Math.min(window.earliest, clock.time()); })")
     page.wait("clock.playing()")
     assert page.run("element('save-webm').textContent") == "Stop recording"
-    webm = saved(page, folder, "webm", 12)
+    webm = saved(page, folder, "webm", 20)
     assert webm[:4] == b"\x1a\x45\xdf\xa3" and b"webm" in webm[:64] and len(webm) > 10000, f"{len(webm)} bytes"
-    near(page.time(), page.run("clock.last"), 1e-12, "one pass, to the end")
+    near(page.run("window.earliest"), 0.0, 1e-12, "one pass, from the start")
+    near(page.time(), page.run("clock.last"), 1e-12, "to the end")
     assert page.run("element('save-webm').textContent") == "Record WebM"
 
 

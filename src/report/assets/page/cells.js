@@ -90,10 +90,13 @@ const cells = (() => {
       for (const [x, y] of shifts) trace(context, points, x, y);
       context.fillStyle = fillOf(run, q, cell, row);
       context.fill();
-      context.strokeStyle = theme.now().edge;
-      context.lineWidth = 1;
-      if (q.where !== "piece") context.stroke();
     }
+    // All outlines over all insides: where cells overlap, it is seen.
+    context.beginPath();
+    for (const { points, shifts } of drawn) for (const [x, y] of shifts) trace(context, points, x, y);
+    context.strokeStyle = theme.now().edge;
+    context.lineWidth = 1;
+    context.stroke();
     if (q.where === "piece" && colours.known(run, q)) strokePieces(context, panel, frame, q, drawn);
     if (q.where === "number" && 8e-6 * panel.perMetre > 16) drawn.forEach((d) => writeNumber(context, panel, d));
     if (chosen < 0 || !drawn[chosen]) return;
