@@ -246,6 +246,7 @@ def pictures_are_saved(page, folder):
     assert png[:8] == b"\x89PNG\r\n\x1a\n" and list(struct.unpack(">II", png[16:24])) == page.run("[player.canvas.width, player.canvas.height]")
     page.pick("pace", "1 : 200")
     page.run("window.earliest = clock.last; clock.onChange(() => { window.earliest = Math.min(window.earliest, clock.time()); })")
+    page.push("save-webm")
     page.wait("clock.playing()")
     assert page.run("element('save-webm').textContent") == "Stop recording"
     webm = saved(page, folder, "webm", 20)

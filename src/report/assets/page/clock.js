@@ -28,7 +28,7 @@ const clock = (() => {
     if (ended) ended();
   }
   function tick(now) {
-    const passed = Math.min(now - before, 500) * 1e-3;
+    const passed = Math.min(Math.max(now - before, 0), 500) * 1e-3;
     before = now;
     if (time >= last) {
       if (whenEnded) return stop();
