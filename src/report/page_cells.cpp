@@ -85,7 +85,7 @@ Json cell_data(const Results& run, const std::vector<double>& frame_times,
 
     std::string bytes;
     Json keys = Json::array(), chosen_times = Json::array();
-    for (const TimeRows& row : chosen) chosen_times.push_back(row.time);
+    for (const TimeRows& row : chosen) chosen_times.push_back(rounded(row.time));
     for (const std::size_t c : columns) {
         const std::string& key = run.cells.names[c];
         keys.push_back({{"key", key}, {"unit", run.cells.units[c]}, {"meaning", meaning_of(key)}});

@@ -14,11 +14,6 @@
 namespace tt {
 namespace {
 
-Json rounded(double value) {
-    if (!std::isfinite(value)) return nullptr;
-    return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
-}
-
 /// Every `stride`-th value, and the last.
 Json thinned(const std::vector<double>& values, std::size_t stride) {
     Json list = Json::array();
@@ -162,6 +157,11 @@ Embedded gathered(const FramesReader& reader, const std::vector<int>& frames,
 }
 
 }  // namespace
+
+Json rounded(double value) {
+    if (!std::isfinite(value)) return nullptr;
+    return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+}
 
 std::string base64(std::string_view bytes) {
     static constexpr char letters[] =

@@ -29,6 +29,9 @@ Json series_data(const Results& run, const PageLimits& limits);
 /// as bytes; all base64. null if there are no frames.
 Json player_data(const Results& run, const PageLimits& limits);
 
+/// With six digits; null if it is not finite.
+Json rounded(double value);
+
 std::string base64(std::string_view bytes);
 
 }  // namespace tt

@@ -2,7 +2,11 @@
 // What the page carries: runs with their series, cells and frames. Nothing is fetched.
 
 const data = (() => {
-  const bytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  function bytes(text) {
+    const letters = atob(text), list = new Uint8Array(letters.length);
+    for (let k = 0; k < list.length; ++k) list[k] = letters.charCodeAt(k);
+    return list;
+  }
   // Units that make numbers of this field readable.
   const shown = { m: [1e6, "µm"], "m^2": [1e12, "µm²"], s: [1e3, "ms"], "m/s": [1e3, "mm/s"], "Pa s": [1e3, "mPa s"], "Pa/m": [1e-3, "kPa/m"],
     "N/m": [1e6, "µN/m"], "m^2/s": [1e9, "10⁻⁹ m²/s"] };

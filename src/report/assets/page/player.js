@@ -4,14 +4,14 @@ const player = (() => {
   const canvas = element("picture");
   if (!canvas || !data.playing.length) return null;
   const context = canvas.getContext("2d");
-  const state = { shown: data.playing.slice(0, 6), quantity: colours.offered[0], background: true, cell: null, fixed: null };
+  const state = { shown: data.playing.slice(0, 6), quantity: colours.offered[0], background: true, cell: null, fixed: null, sharpness: 0 };
   let panels = [], size = { width: 0, height: 0 }, waiting = false;
 
   // As wide as the page, and so high that the controls stay in the window with it.
   function arrange() {
     const controls = element("controls").offsetHeight, width = canvas.parentElement.clientWidth;
     const found = state.fixed || layout.of(state.shown, width, window.innerHeight - controls - 24);
-    const ratio = state.fixed ? canvas.width / found.width : window.devicePixelRatio || 1;
+    const ratio = state.fixed ? canvas.width / found.width : state.sharpness || window.devicePixelRatio || 1;
     panels = found.panels;
     size = found;
     if (state.fixed) return ratio;

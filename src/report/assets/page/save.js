@@ -20,8 +20,12 @@ if (player) (() => {
   }
 
   png.addEventListener("click", () => {
+    // Two points of the picture for one of the page, as a paper wants it.
+    player.state.sharpness = Math.max(2, window.devicePixelRatio || 1);
     player.draw();
     player.canvas.toBlob((blob) => save(blob, name("png")), "image/png");
+    player.state.sharpness = 0;
+    player.redraw();
   });
 
   let recording = false;
