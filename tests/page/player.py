@@ -18,7 +18,7 @@ from chromium import Chromium, program
 if not program():
     print("skipped: Chromium is not installed (tools/install browser)")
     sys.exit(77)
-tanktread, source = sys.argv[1:]
+tanktread, source = (pathlib.Path(word).resolve() for word in sys.argv[1:])
 
 
 # Of a colour of the style sheet against the page behind it, by WCAG 2.
@@ -36,7 +36,7 @@ CONTRAST = """(name) => {
 
 
 def make(folder, name, *settings):
-    case = pathlib.Path(source) / "cases/05-channel/case.toml"
+    case = source / "cases/05-channel/case.toml"
     told = [word for setting in ("numerics.dx=0.5 um", f"name={name}", *settings) for word in ("--set", setting)]
     subprocess.run([tanktread, "run", case, "-o", folder / name, "-j", "1", "--progress", "none", *told], check=True, capture_output=True)
 
