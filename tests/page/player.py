@@ -13,26 +13,13 @@ import sys
 import tempfile
 import time
 
-from chromium import Chromium, program
+from chromium import program
+from page import Page, near
 
 if not program():
     print("skipped: Chromium is not installed (tools/install browser)")
     sys.exit(77)
 tanktread, source = (pathlib.Path(word).resolve() for word in sys.argv[1:])
-
-
-# Of a colour of the style sheet against the page behind it, by WCAG 2.
-CONTRAST = """(name) => {
-    const probe = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
-    const linear = (v) => (v <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
-    const light = (of) => {
-        probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue(of);
-        probe.fillRect(0, 0, 1, 1);
-        const [r, g, b] = [...probe.getImageData(0, 0, 1, 1).data].map((v) => linear(v / 255));
-        return 0.2126 * r + 0.7152 * g + 0.0722 * b + 0.05;
-    };
-    return Math.max(light(name), light('--back')) / Math.min(light(name), light('--back'));
-}"""
 
 
 def make(folder, name, *settings):
@@ -47,52 +34,6 @@ def report(*folders, figures=True):
     subprocess.run([tanktread, "report", *folders], check=True, capture_output=True, cwd=folders[0].parent, env=environment)
 
 
-def near(found, wanted, tolerance, what):
-    assert abs(found - wanted) <= tolerance, f"{what}: {found}, not {wanted} within {tolerance}"
-
-
-class Page(Chromium):
-    def time(self):
-        return self.run("clock.time()")
-
-    def picture_hash(self):
-        self.settle()
-        return hash(self.run("player.canvas.toDataURL()"))
-
-    def white_share(self):
-        """Of the points within the first panel."""
-        self.settle()
-        return self.run("""(() => {
-            const probe = document.createElement('canvas'), { x, y, width, height } = player.panels()[0];
-            [probe.width, probe.height] = [width, height];
-            const context = probe.getContext('2d', { willReadFrequently: true });
-            context.drawImage(player.canvas, -x, -y);
-            const points = new Uint32Array(context.getImageData(0, 0, probe.width, probe.height).data.buffer);
-            return points.filter((p) => p === 0xffffffff).length / points.length;
-        })()""")
-
-    def pick(self, list_id, text):
-        """Chooses from a list what begins with a text, as a reader does."""
-        self.run(f"""(() => {{ const list = element('{list_id}');
-            list.selectedIndex = [...list.options].findIndex((o) => o.text.startsWith({text!r}));
-            list.dispatchEvent(new Event('change')); }})()""")
-        self.settle()
-
-    def push(self, button):
-        self.run(f"element('{button}').scrollIntoView({{ block: 'nearest' }})")
-        self.settle()
-        box = self.run(f"(() => {{ const b = element('{button}').getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]; }})()")
-        self.click(*box)
-
-    def point_at(self, x, y):
-        """Clicks on the canvas, in its own pixels of the page."""
-        self.run("player.canvas.scrollIntoView({ block: 'nearest' })")
-        self.settle()
-        left, top = self.run("(() => { const b = player.canvas.getBoundingClientRect(); return [b.x, b.y]; })()")
-        self.click(left + x, top + y)
-        self.settle()
-
-
 def reads_well(page, where):
     """At both widths, light and dark: nothing wider than the window, picture and controls within its height, text with contrast."""
     page.look(1280, 800)
@@ -103,15 +44,14 @@ def reads_well(page, where):
         page.settle()
         assert page.run("document.documentElement.scrollWidth <= innerWidth"), f"wider than {width}"
         assert page.run("player.canvas.offsetHeight + element('controls').offsetHeight <= innerHeight"), f"higher than the window at {width}"
-        cut = page.run("[...document.querySelectorAll('#summary ~ .scroll td, #numbers ~ .scroll td')]"
-                       ".filter((c) => c.scrollWidth > c.clientWidth + 1 && getComputedStyle(c).overflowX !== 'visible').length")
-        right = page.run("Math.max(...[...document.querySelectorAll('td.number')].filter((c) => c.offsetParent)"
-                         ".map((c) => c.getBoundingClientRect().right))")
-        assert cut == 0 and (width > 500 or right <= width), f"values cut off at {width}: {cut}, {right}"
+        if width < 500:
+            cut = page.run("[...document.querySelectorAll('.scroll td')].filter((c) => c.offsetParent && "
+                           "(c.scrollWidth > c.clientWidth + 1 || c.getBoundingClientRect().right > innerWidth)).map((c) => c.textContent)")
+            assert not cut, f"values cut off at {width}: {cut}"
         back[dark] = sum(page.run("""(() => { const probe = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
             probe.drawImage(player.canvas, 0, 0); return [...probe.getImageData(0, 0, 1, 1).data].slice(0, 3); })()"""))
         for name in ("--ink", "--soft", "--link"):
-            contrast = page.run(f"({CONTRAST})('{name}')")
+            contrast = page.contrast(name)
             assert contrast >= 4.5, f"{name} has a contrast of {contrast:.1f}, dark: {dark}"
     assert back[False] == 765 and back[True] < 150, f"the picture follows the system: {back}"
     page.look(1280, 800)
