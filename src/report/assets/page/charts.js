@@ -1,7 +1,9 @@
 // Charts over time, of the series of the runs and of every cell; a line marks the time of the clock, a click sets it.
 
 const charts = (() => {
-  const colourOf = (r) => ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8a6d00"][r % 7];
+  const light = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8a6d00"];
+  const dark = ["#4fb0f0", "#f08040", "#2fc49a", "#e09ac4", "#f0b840", "#9ad4ff", "#c8b060"];
+  const colourOf = (r) => (theme.now().dark ? dark : light)[r % 7];
   const dashes = [[], [8, 4], [2, 3]];
   const made = [];
 
@@ -15,15 +17,16 @@ const charts = (() => {
   const milliseconds = (times) => times.map((t) => t * 1e3);
   const scaled = (values, factor) => values.map((v) => (v === null || Number.isNaN(v) ? null : v * factor));
 
-  // Curves as {label, times [ms], values, and how they look}: cells thin, means thick, the chosen cell last.
+  // Curves as {label, times [ms], values, and how they look}: cells thin, means thick, the chosen cell last. The legend leaves out the quiet
+  // ones; of several runs it names the cells of each once, without a value.
   function curvesOf(key, factor, chosen) {
     const curves = [];
     data.runs.forEach((run, r) => {
       const column = run.column(key), each = run.cells && run.cells.has(key) && (data.single || !column);
       const times = run.cells ? milliseconds(run.cells.time) : [];
       for (let c = 0; each && c < run.cells.count; ++c)
-        curves.push({ label: (data.single ? "" : run.label + " ") + "cell " + c, times, values: scaled(run.cells.curve(key, c), factor),
-          stroke: data.single ? theme.now().faint : colourOf(r), width: 0.8 });
+        curves.push({ label: run.label + ", each cell", times, values: scaled(run.cells.curve(key, c), factor),
+          stroke: data.single ? theme.now().faint : colourOf(r), width: 0.8, quiet: data.single || c > 0, mute: true });
       if (column && run.column("time"))
         curves.push({ label: data.single ? (each ? "mean" : key) : run.label, times: milliseconds(run.column("time").values),
           values: scaled(column.values, factor), stroke: colourOf(r), width: 2, dash: dashes[Math.floor(r / 7) % dashes.length] });
@@ -54,9 +57,8 @@ const charts = (() => {
     return {
       width: place.clientWidth, height: 250,
       series: [{ label: "time [ms]" }, ...curves.map((c) => ({ label: c.label, stroke: c.stroke, width: c.width, dash: c.dash, spanGaps: true,
-        points: { show: false }, value: (_, v) => (v == null ? "–" : v.toPrecision(4)) }))],
+        points: { show: false }, value: (_, v) => (c.mute ? "" : v == null ? "–" : v.toPrecision(4)) }))],
       scales: { x: { time: false } },
-      legend: { show: curves.length <= (data.single ? 9 : 40) },
       hooks: { draw: [drawn] },
       axes: [{ label: "time [ms]", font, labelFont: font, stroke: now.ink, grid: { show: false }, ticks: line },
         { label: key + (unit ? " [" + unit + "]" : ""), font, labelFont: font, stroke: now.ink, size: 64, grid: line, ticks: line,
@@ -110,6 +112,7 @@ const charts = (() => {
       const { table, curves } = joined(found);
       note.textContent = info.meaning;
       plot = new uPlot(options(select.value, curves, place, () => follow()), table, place);
+      plot.root.querySelectorAll(".u-legend .u-series").forEach((row, k) => { row.hidden = k > 0 && curves[k - 1].quiet; });
       follow = followClock(plot);
     }
     select.addEventListener("change", draw);

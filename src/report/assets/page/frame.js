@@ -103,7 +103,9 @@ const frame = (() => {
   function bar(context, name, map, [low, high], unit, x, y, width) {
     const [factor, shown] = data.convert(unit);
     context.fillStyle = theme.now().ink;
-    text(context, name + (shown ? " [" + shown + "]" : ""), x, y + 6, "left", 12.5);
+    context.font = theme.font(12.5);
+    context.textAlign = "left";
+    context.fillText(name + (shown ? " [" + shown + "]" : ""), x, y + 6, width + 12);
     for (let k = 0; k < width; ++k) {
       context.fillStyle = "rgb(" + map[Math.round(255 * k / Math.max(width - 1, 1))] + ")";
       context.fillRect(x + k, y + 16, 1.5, 11);
