@@ -126,10 +126,10 @@ std::string pictures(const Results& run) {
 
 }  // namespace
 
-std::string failure_section(const Results& run, const std::string& label) {
+std::string failure_section(const Results& run, const std::string& label, std::string_view id) {
     if (run.failure.empty() && run.why.empty()) return "";
     std::string text =
-        fmt::format("<h2>Why {} failed</h2>\n<pre>{}</pre>\n", html(label), html(run.why));
+        heading(id, "Why " + label + " failed") + fmt::format("<pre>{}</pre>\n", html(run.why));
     if (run.failing && run.failing->count() > 0) text += pictures(run);
     return text + "<p class=\"soft\">What follows is the history up to there.</p>\n";
 }

@@ -32,6 +32,21 @@ std::string html(std::string_view text) {
     return result;
 }
 
+std::string heading(std::string_view id, std::string_view title) {
+    return fmt::format("<h2 id=\"{0}\"><a href=\"#{0}\">{1}</a></h2>\n", id, html(title));
+}
+
+std::string contents_list(std::string_view page) {
+    constexpr std::string_view start = "<h2 id=", link = "<a href=\"#", end = "</a>";
+    std::string list = "<nav aria-label=\"Contents\"><ul>\n";
+    for (std::size_t at = 0; (at = page.find(start, at)) != std::string_view::npos; ++at) {
+        const std::size_t from = page.find(link, at), to = page.find(end, from);
+        if (to == std::string_view::npos) break;
+        list += fmt::format("<li>{}{}</li>\n", page.substr(from, to - from), end);
+    }
+    return list + "</ul></nav>\n";
+}
+
 HtmlTable::HtmlTable(std::string_view caption, std::vector<Column> columns)
     : caption_(caption), columns_(std::move(columns)) {}
 

@@ -9,6 +9,12 @@ namespace tt {
 /// Text that shows as itself in HTML.
 std::string html(std::string_view text);
 
+/// The heading of a section, which is a link to itself. `id` is letters and hyphens.
+std::string heading(std::string_view id, std::string_view title);
+
+/// Links to all such headings of a page, in their order.
+std::string contents_list(std::string_view page);
+
 /// A table of an HTML page. The first cell of a row is its head; texts are escaped.
 class HtmlTable {
 public:

@@ -10,6 +10,7 @@
 #include "report/failure_section.hpp"
 #include "report/figures.hpp"
 #include "report/html.hpp"
+#include "report/key_numbers.hpp"
 #include "report/page_tables.hpp"
 #include "report/words.hpp"
 
@@ -55,7 +56,7 @@ std::string left_out_note(const std::vector<Figure>& figures) {
 
 std::string figures_section(const std::vector<Figure>& figures, const fs::path& folder,
                             const std::string& note) {
-    std::string text = "<h2>Figures</h2>\n";
+    std::string text = heading("figures", "Figures");
     if (figures.empty())
         return text +
                fmt::format("<p>{}</p>\n", can_draw() ? "Nothing to draw yet." : html(no_gnuplot));
@@ -67,26 +68,28 @@ std::string figures_section(const std::vector<Figure>& figures, const fs::path& 
 }
 
 /// What the page left out of the frames, in words.
-std::string player_note(const Json& player) {
+std::string player_note(const Json& run) {
+    const Json& player = run["player"];
+    if (player.is_null()) return html(run["label"].get<std::string>()) + ": no frames. ";
     const std::size_t recorded = player["recorded"], embedded = player["times"].size();
     const int nodes = player["first"].back(), all_nodes = player["nodes_recorded"];
     const int block = player["block"];
-    std::string text = html(player["label"].get<std::string>());
+    std::string text = html(run["label"].get<std::string>());
     text += embedded == recorded ? fmt::format(": all {} frames", recorded)
                                  : fmt::format(": {} of {} frames", embedded, recorded);
     if (nodes < all_nodes) text += fmt::format(", {} of {} nodes", nodes, all_nodes);
     text += fmt::format(", positions rounded to {:.2g} nm", player["quantum"].get<double>() * 1e9);
-    text += block == 1 ? ", speed at every site"
-                       : fmt::format(", speed averaged over {0} × {0} sites", block);
-    return text +
-           fmt::format(" (darkest blue {:.3g} mm/s). ", player["fastest"].get<double>() * 1e3);
+    return text + (block == 1 ? ", speed at every site. "
+                              : fmt::format(", speed averaged over {0} × {0} sites. ", block));
 }
 
-std::string player_section(const Json& players) {
-    std::string text = "<h2>Cells over time</h2>\n";
-    if (players.empty()) return text + "<p>No frames were recorded.</p>\n";
+std::string player_section(const Json& runs) {
+    std::string text = heading("cells", "Cells over time");
+    const auto plays = [](const Json& run) { return !run["player"].is_null(); };
+    if (std::none_of(runs.begin(), runs.end(), plays))
+        return text + "<p>No frames were recorded.</p>\n";
     text.append(assets::player_markup).append("<p class=\"soft\">");
-    for (const Json& player : players) text += player_note(player);
+    for (const Json& run : runs) text += player_note(run);
     return text +
            "Frames are shown as recorded, with nothing made up between them; all of them "
            "are in frames.h5.</p>\n";
@@ -107,7 +110,8 @@ std::string shell_word(const std::string& text) {
 
 std::string repeat_section(std::span<const Results> runs) {
     std::string text =
-        "<h2>How to repeat</h2>\n<p>resolved.toml holds every setting, defaults included. With the "
+        heading("repeat", "How to repeat") +
+        "<p>resolved.toml holds every setting, defaults included. With the "
         "same version and compiler flags (see provenance) the results come out the same to the "
         "bit, on any number of threads.</p>\n<pre>";
     std::string again;
@@ -132,7 +136,7 @@ std::string introduction(std::span<const Results> runs, const std::vector<std::s
         if (!note.empty()) text += "<p class=\"notice\">" + name + html(note) + "</p>\n";
         if (const std::string changes = changes_note(runs[r]); !changes.empty())
             text += "<p class=\"notice\">" + name + html(changes) + "</p>\n";
-        text += failure_section(runs[r], labels[r]);
+        text += failure_section(runs[r], labels[r], fmt::format("failure-{}", r + 1));
         for (const std::string& fault : runs[r].faults)
             text += "<p class=\"notice\">" + name + html(fault) + "</p>\n";
     }
@@ -159,12 +163,10 @@ Json page_data(std::span<const Results> runs, const std::vector<std::string>& la
                PageLimits limits) {
     limits.node_bytes /= runs.size();
     limits.field_bytes /= runs.size();
-    Json data{{"runs", Json::array()}, {"players", Json::array()}};
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-        data["runs"].push_back(chart_data(runs[r], labels[r], limits));
-        Json player = player_data(runs[r], labels[r], limits);
-        if (!player.is_null()) data["players"].push_back(std::move(player));
-    }
+    limits.cell_bytes /= runs.size();
+    Json data{{"runs", Json::array()}};
+    for (std::size_t r = 0; r < runs.size(); ++r)
+        data["runs"].push_back(run_data(runs[r], labels[r], limits));
     return data;
 }
 
@@ -176,16 +178,20 @@ std::string report_page(std::span<const Results> runs, const std::vector<Figure>
     const Json data = page_data(runs, labels, limits);
     const std::string title = html(page_title(labels));
 
+    std::string body = key_numbers_section(runs, labels) + player_section(data["runs"]);
+    body += checks_section(runs, labels) + summary_section(runs, labels);
+    body +=
+        figures_section(figures, figures_folder, runs.size() == 1 ? left_out_note(figures) : "");
+    body += heading("series", "Time series");
+    body.append(assets::charts_markup);
+    body += repeat_section(runs) + provenance_section(runs, labels);
+
     std::string page(assets::page_head);
     page += "<title>" + title + "</title>\n<style>\n";
     page.append(assets::chart_style).append(assets::page_style);
     page += "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n";
-    page += introduction(runs, labels) + player_section(data["players"]);
-    page += checks_section(runs, labels) + summary_section(runs, labels);
-    page +=
-        figures_section(figures, figures_folder, runs.size() == 1 ? left_out_note(figures) : "");
-    page.append(assets::charts_markup);
-    page += repeat_section(runs) + provenance_section(runs, labels);
+    const std::string start = introduction(runs, labels);
+    page += start + contents_list(start + body) + body;
     page += fmt::format(
         "<p class=\"soft\">Written by tanktread {}; charts by uPlot.</p>\n<details>"
         "<summary>Licence of uPlot</summary><pre>{}</pre></details>\n",

@@ -3,20 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 
 #include <fmt/format.h>
 
 #include "observe/measures.hpp"
 #include "report/frames.hpp"
+#include "report/node_stretch.hpp"
+#include "report/page_cells.hpp"
 
 namespace tt {
 namespace {
-
-Json rounded(double value) {
-    if (!std::isfinite(value)) return nullptr;
-    return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
-}
 
 /// Every `stride`-th value, and the last.
 Json thinned(const std::vector<double>& values, std::size_t stride) {
@@ -33,45 +29,6 @@ std::string meaning_of(const std::string& key) {
         if (entry.key == key) meaning = entry.meaning;
     });
     return meaning;
-}
-
-/// λ_C of every cell over time: {time, values: one list a cell}.
-Json cell_stretches(const Results& run, std::size_t most_rows) {
-    const std::vector<double>& time = values(run.cells, "time");
-    const std::vector<double>& cell = values(run.cells, "cell");
-    const std::vector<double>& stretch = values(run.cells, "lambda_C");
-    if (time.empty() || cell.empty() || stretch.empty()) return nullptr;
-    std::map<double, std::vector<double>> by_cell;
-    std::vector<double> times;
-    for (std::size_t k = 0; k < time.size(); ++k) {
-        if (cell[k] == cell.front()) times.push_back(time[k]);
-        by_cell[cell[k]].push_back(stretch[k]);
-    }
-    const std::size_t stride = times.size() * by_cell.size() / (4 * most_rows) + 1;
-    Json lists = Json::array();
-    for (const auto& [number, curve] : by_cell) lists.push_back(thinned(curve, stride));
-    return {{"time", thinned(times, stride)}, {"values", lists}};
-}
-
-/// λ_C of each cell at the row of cells.csv nearest to `time`; empty where the run did not write
-/// any.
-Json stretches_at(const Results& run, double time, int cells) {
-    const std::vector<double>& times = values(run.cells, "time");
-    const std::vector<double>& cell = values(run.cells, "cell");
-    const std::vector<double>& stretch = values(run.cells, "lambda_C");
-    if (times.empty() || cell.size() != times.size() || stretch.size() != times.size())
-        return Json::array();
-    const auto after = std::lower_bound(times.begin(), times.end(), time);
-    double nearest = after == times.end() ? times.back() : *after;
-    if (after != times.begin() && std::abs(*(after - 1) - time) < std::abs(nearest - time))
-        nearest = *(after - 1);
-    std::vector<double> found(static_cast<std::size_t>(cells), std::nan(""));
-    for (auto row = std::lower_bound(times.begin(), times.end(), nearest);
-         row != times.end() && *row == nearest; ++row) {
-        const auto k = static_cast<std::size_t>(row - times.begin());
-        if (cell[k] >= 0 && cell[k] < cells) found[static_cast<std::size_t>(cell[k])] = stretch[k];
-    }
-    return thinned(found, 1);
 }
 
 /// What of the nodes is embedded.
@@ -109,17 +66,20 @@ void append_positions(std::string& bytes, const std::vector<Vec2>& nodes,
     }
 }
 
-/// Mean speed of blocks of stride × stride sites.
+/// Mean speed over the open sites of blocks of stride × stride sites; 0 where there are none.
 std::vector<double> block_speeds(const FramesHeader& header, const Frame& frame, int stride) {
     const int nx = header.nx / stride, ny = header.ny / stride;
-    std::vector<double> speeds(static_cast<std::size_t>(nx) * ny, 0.0);
+    std::vector<double> speeds(static_cast<std::size_t>(nx) * ny, 0.0), open(speeds.size(), 0.0);
     for (int j = 0; j < ny * stride; ++j)
         for (int i = 0; i < nx * stride; ++i) {
             const std::size_t site = static_cast<std::size_t>(j) * header.nx + i;
-            speeds[static_cast<std::size_t>(j / stride) * nx + i / stride] +=
-                std::hypot(frame.velocity[2 * site], frame.velocity[2 * site + 1]) /
-                (stride * stride);
+            const double speed = std::hypot(frame.velocity[2 * site], frame.velocity[2 * site + 1]);
+            const std::size_t block = static_cast<std::size_t>(j / stride) * nx + i / stride;
+            if (!std::isfinite(speed)) continue;
+            speeds[block] += speed;
+            open[block] += 1.0;
         }
+    for (std::size_t k = 0; k < speeds.size(); ++k) speeds[k] /= std::max(open[k], 1.0);
     return speeds;
 }
 
@@ -127,12 +87,81 @@ std::vector<double> block_speeds(const FramesHeader& header, const Frame& frame,
 std::string scaled_bytes(const std::vector<double>& speeds, double fastest) {
     std::string bytes;
     for (const double speed : speeds)
-        bytes += static_cast<char>(static_cast<unsigned char>(
-            fastest > 0.0 && std::isfinite(speed) ? 255.0 * speed / fastest : 0.0));
+        bytes += static_cast<char>(
+            static_cast<unsigned char>(fastest > 0.0 ? std::lround(255.0 * speed / fastest) : 0));
     return bytes;
 }
 
+/// Evenly spaced frames, at most limits.frames and those whose nodes fit, and the last.
+std::vector<int> embedded_frames(int count, std::size_t nodes, const PageLimits& limits) {
+    const std::size_t fitting = limits.node_bytes / std::max<std::size_t>(5 * nodes, 1);
+    const int most = static_cast<int>(std::clamp<std::size_t>(fitting, 2, limits.frames));
+    const int stride = (count + most - 1) / most;
+    std::vector<int> frames;
+    for (int k = 0; k < count; k += stride) frames.push_back(k);
+    if (frames.back() != count - 1) frames.push_back(count - 1);
+    return frames;
+}
+
+/// So many that some sixty frames of many cells fit, if that leaves an outline.
+std::size_t nodes_per_cell(int cells, const PageLimits& limits) {
+    const std::size_t fitting =
+        limits.node_bytes / (5 * 60 * static_cast<std::size_t>(std::max(cells, 1)));
+    return std::min(std::max<std::size_t>(fitting, 24), limits.nodes_per_cell);
+}
+
+/// The side of the blocks of sites over which speeds are averaged so that they fit.
+int block_of_sites(const FramesHeader& header, std::size_t frames, const PageLimits& limits) {
+    int block = 1;
+    while (frames * (header.nx / block) * (header.ny / block) > limits.field_bytes &&
+           block < header.ny)
+        ++block;
+    return block;
+}
+
+/// Which way the flow goes: {drive: "shear" | "channel" | "none", sign}. In shear the upper wall
+/// moves along x times the sign, the lower one against it.
+Json flow_direction(const Results& run) {
+    const std::string drive = run.setting("flow.drive", "none");
+    const bool shear = drive == "shear", given = !run.setting("flow.shear_rate").empty();
+    const double along =
+        shear ? setting_si(run.setting(given ? "flow.shear_rate" : "flow.shear_number"))
+              : window_mean(run, "mean_velocity");
+    const bool moves = drive != "none" && std::isfinite(along) && along != 0.0;
+    return {{"drive", !moves ? "none" : shear ? "shear" : "channel"}, {"sign", along < 0 ? -1 : 1}};
+}
+
+/// What is gathered of the frames that are embedded.
+struct Embedded {
+    Json times = Json::array(), fields = Json::array();
+    std::string nodes;
+    std::vector<std::vector<double>> speeds, stretches;
+    double fastest = 0.0;
+};
+
+Embedded gathered(const FramesReader& reader, const std::vector<int>& frames,
+                  const NodeChoice& choice, double quantum, int block) {
+    const FramesHeader& header = reader.header();
+    Embedded e;
+    for (const int k : frames) {
+        const Frame frame = reader.frame(k);
+        e.times.push_back(rounded(frame.time));
+        append_positions(e.nodes, wrapped_nodes(header, frame), choice.nodes, quantum);
+        e.stretches.push_back(chosen_stretches(header, frame, choice.nodes, choice.first));
+        e.fields.push_back(frame.velocity.empty() ? Json(nullptr) : Json(e.speeds.size()));
+        if (frame.velocity.empty()) continue;
+        e.speeds.push_back(block_speeds(header, frame, block));
+        for (const double speed : e.speeds.back()) e.fastest = std::max(e.fastest, speed);
+    }
+    return e;
+}
+
 }  // namespace
+
+Json rounded(double value) {
+    if (!std::isfinite(value)) return nullptr;
+    return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+}
 
 std::string base64(std::string_view bytes) {
     static constexpr char letters[] =
@@ -150,7 +179,7 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-Json chart_data(const Results& run, const std::string& label, const PageLimits& limits) {
+Json series_data(const Results& run, const PageLimits& limits) {
     Json columns = Json::array();
     const std::size_t stride = (run.series.rows() + limits.rows - 1) / limits.rows;
     for (std::size_t c = 0; c < run.series.names.size(); ++c) {
@@ -161,59 +190,48 @@ Json chart_data(const Results& run, const std::string& label, const PageLimits& 
              {"meaning", meaning_of(key)},
              {"values", thinned(run.series.columns[c], std::max<std::size_t>(stride, 1))}});
     }
-    return {{"label", label}, {"columns", columns}, {"cells", cell_stretches(run, limits.rows)}};
+    return columns;
 }
 
-Json player_data(const Results& run, const std::string& label, const PageLimits& limits) {
+Json player_data(const Results& run, const PageLimits& limits) {
     if (!run.frames || run.frames->count() == 0) return nullptr;
     const FramesHeader& header = run.frames->header();
-    const NodeChoice choice = chosen_nodes(header, limits.nodes_per_cell);
-    const auto count = static_cast<std::size_t>(run.frames->count());
-    const std::size_t by_nodes =
-        limits.node_bytes / std::max<std::size_t>(4 * choice.nodes.size(), 1);
-    const std::size_t most = std::max<std::size_t>(std::min(limits.frames, by_nodes), 2);
-    const std::size_t stride = (count + most - 1) / most;
-    const std::size_t embedded = (count + stride - 1) / stride;
-    int block = 1;
-    while (embedded * (header.nx / block) * (header.ny / block) > limits.field_bytes &&
-           block < header.ny)
-        ++block;
-
+    const NodeChoice choice = chosen_nodes(header, nodes_per_cell(cell_count(header), limits));
+    const auto frames = embedded_frames(run.frames->count(), choice.nodes.size(), limits);
+    const int block = block_of_sites(header, frames.size(), limits);
     const double quantum = 1.6 * std::max(header.length, header.width) / 32767.0;
-    std::string nodes;
-    std::vector<std::vector<double>> speeds;
-    Json times = Json::array(), stretches = Json::array(), fields = Json::array();
-    double fastest = 0.0;
-    for (std::size_t k = 0; k < count; k += stride) {
-        const Frame frame = run.frames->frame(static_cast<int>(k));
-        times.push_back(rounded(frame.time));
-        stretches.push_back(stretches_at(run, frame.time, cell_count(header)));
-        append_positions(nodes, wrapped_nodes(header, frame), choice.nodes, quantum);
-        fields.push_back(frame.velocity.empty() ? Json(nullptr) : Json(speeds.size()));
-        if (frame.velocity.empty()) continue;
-        speeds.push_back(block_speeds(header, frame, block));
-        for (const double speed : speeds.back()) fastest = std::max(fastest, speed);
-    }
+    const Embedded e = gathered(*run.frames, frames, choice, quantum, block);
     std::string speed_bytes;
-    for (const std::vector<double>& speed : speeds) speed_bytes += scaled_bytes(speed, fastest);
-    return {{"label", label},
-            {"length", header.length},
+    for (const std::vector<double>& speed : e.speeds) speed_bytes += scaled_bytes(speed, e.fastest);
+    return {{"length", header.length},
             {"width", header.width},
             {"quantum", rounded(quantum)},
             {"first", choice.first},
             {"walls", header.walls},
             {"wall_first", header.wall_first},
-            {"times", times},
-            {"stretches", stretches},
-            {"fields", fields},
-            {"nodes", base64(nodes)},
+            {"walled", run.setting("domain.sides", "walls") == "walls"},
+            {"flow", flow_direction(run)},
+            {"times", e.times},
+            {"fields", e.fields},
+            {"nodes", base64(e.nodes)},
+            {"stretch", stretch_data(run, e.stretches)},
             {"columns", header.nx / block},
             {"rows", header.ny / block},
-            {"fastest", rounded(fastest)},
+            {"fastest", rounded(e.fastest)},
             {"speed", base64(speed_bytes)},
-            {"recorded", count},
+            {"recorded", run.frames->count()},
             {"block", block},
             {"nodes_recorded", header.first.back()}};
+}
+
+Json run_data(const Results& run, const std::string& label, const PageLimits& limits) {
+    Json player = player_data(run, limits);
+    std::vector<double> frame_times;
+    if (!player.is_null()) frame_times = player["times"].get<std::vector<double>>();
+    return {{"label", label},
+            {"columns", series_data(run, limits)},
+            {"cells", cell_data(run, frame_times, limits)},
+            {"player", std::move(player)}};
 }
 
 }  // namespace tt

@@ -16,15 +16,21 @@ struct PageLimits {
     std::size_t nodes_per_cell = 96;
     std::size_t node_bytes = 3 << 20;   ///< before base64, shared by all runs
     std::size_t field_bytes = 3 << 19;  ///< of the speed behind the cells, likewise
+    std::size_t cell_bytes = 1 << 20;   ///< of what is told of each cell, likewise
 };
 
-/// Time series of a run as the charts of the page take them: {label, columns: [{key, unit, meaning,
-/// values}], cells}. Values keep six digits.
-Json chart_data(const Results& run, const std::string& label, const PageLimits& limits);
+/// A run as the charts and the player of the page take it: {label, columns, cells, player}.
+Json run_data(const Results& run, const std::string& label, const PageLimits& limits);
 
-/// Frames of a run as the player takes them: positions as 16-bit multiples of `quantum`, wrapped
-/// cell by cell; speed as bytes; both base64. null if there are no frames.
-Json player_data(const Results& run, const std::string& label, const PageLimits& limits);
+/// Its time series: [{key, unit, meaning, values}]. Values keep six digits.
+Json series_data(const Results& run, const PageLimits& limits);
+
+/// Its frames: positions as 16-bit multiples of `quantum`, wrapped cell by cell; stretch and speed
+/// as bytes; all base64. null if there are no frames.
+Json player_data(const Results& run, const PageLimits& limits);
+
+/// With six digits; null if it is not finite.
+Json rounded(double value);
 
 std::string base64(std::string_view bytes);
 

@@ -47,7 +47,7 @@ std::string summary_of_one(const Results& run) {
                         " ± their standard error by batch means; the standard deviation over "
                         "time, and that over cells of each cell's mean.",
                     {{"quantity", ""},
-                     {"unit", ""},
+                     {"unit", "unit"},
                      {"mean ± error", "number"},
                      {"sd in time", "number"},
                      {"sd over cells", "number"},
@@ -74,7 +74,7 @@ std::vector<SummaryLine> all_quantities(std::span<const Results> runs) {
 }
 
 std::string summary_of_many(std::span<const Results> runs, const std::vector<std::string>& labels) {
-    std::vector<HtmlTable::Column> columns{{"quantity", ""}, {"unit", ""}};
+    std::vector<HtmlTable::Column> columns{{"quantity", ""}, {"unit", "unit"}};
     for (const std::string& label : labels) columns.push_back({label, "number"});
     HtmlTable table("Means over each run's window ± their standard error by batch means.", columns);
 
@@ -124,7 +124,7 @@ void add_rows(const Json& json, const std::string& prefix, HtmlTable& table) {
 }  // namespace
 
 std::string summary_section(std::span<const Results> runs, const std::vector<std::string>& labels) {
-    const std::string title = "<h2>Summary</h2>\n";
+    const std::string title = heading("summary", "Summary");
     if (all_quantities(runs).empty())
         return title + "<p>No summary yet: it is written when a run ends.</p>\n";
     return title +
@@ -170,7 +170,7 @@ std::string checks_section(std::span<const Results> runs, const std::vector<std:
             table.add_row(texts, ok ? "" : "raised");
         }
     }
-    std::string text = "<h2>Checks</h2>\n";
+    std::string text = heading("checks", "Checks");
     if (all == 0) return text + "<p>Nothing to judge yet.</p>\n";
     if (told > 0) text += table.text();
     if (!single) text += fmt::format("<p>{} of {} checks are in order.</p>\n", all - told, all);
@@ -179,13 +179,13 @@ std::string checks_section(std::span<const Results> runs, const std::vector<std:
 
 std::string provenance_section(std::span<const Results> runs,
                                const std::vector<std::string>& labels) {
-    std::string text = "<h2>Provenance</h2>\n";
+    std::string text = heading("provenance", "Provenance");
     for (std::size_t r = 0; r < runs.size(); ++r) {
         if (runs[r].provenance.empty()) continue;
         HtmlTable table("", {{"what", ""}, {"value", "word"}});
         add_rows(runs[r].provenance, "", table);
-        text += fmt::format("<details{}><summary>{}</summary>{}</details>\n",
-                            runs.size() == 1 ? " open" : "", html(labels[r]), table.text());
+        text += fmt::format("<details><summary>{}</summary>{}</details>\n", html(labels[r]),
+                            table.text());
     }
     return text;
 }

@@ -1,11 +1,9 @@
 #include "report/report.hpp"
 
 #include <array>
-#include <fstream>
+#include <cmath>
 #include <fstream>
 #include <regex>
-#include <string>
-#include <vector>
 #include <string>
 #include <vector>
 
@@ -13,7 +11,6 @@
 
 #include "base/error.hpp"
 #include "report/export.hpp"
-#include "report/page_data.hpp"
 #include "observe/status.hpp"
 #include "report/words.hpp"
 #include "small_run.hpp"
@@ -219,34 +216,6 @@ TEST(Report, twenty_runs_are_told_apart_by_what_differs) {
     EXPECT_NE(text_of(scratch / "all" / "figures" / "style.gp").find("set linetype 20 "),
               std::string::npos)
         << "and it has a look of its own";
-}
-
-TEST(PageData, long_runs_are_thinned_and_positions_survive_rounding) {
-    ScratchFolder scratch;
-    invent_results(scratch / "run", "--frames 9 --rows 300");
-    const Results run = read_results(scratch / "run");
-    PageLimits limits;
-    limits.rows = 50;
-    limits.frames = 4;
-    limits.nodes_per_cell = 10;
-    const Json player = player_data(run, "run", limits);
-    EXPECT_EQ(player["times"].size(), 3u);
-    EXPECT_EQ(player["recorded"], 9);
-    EXPECT_EQ(player["first"].back(), 40);
-    EXPECT_EQ(player["nodes"].get<std::string>().size(), (3u * 40 * 4 + 2) / 3 * 4);
-    EXPECT_LT(player["quantum"].get<double>(), 5e-9);
-    const Json charts = chart_data(run, "run", limits);
-    EXPECT_LE(charts["columns"][0]["values"].size(), 51u);
-    EXPECT_DOUBLE_EQ(charts["columns"][0]["values"].back(), 80e-3);
-}
-
-TEST(PageData, base64_is_that_of_rfc_4648) {
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("f"), "Zg==");
-    EXPECT_EQ(base64("fo"), "Zm8=");
-    EXPECT_EQ(base64("foo"), "Zm9v");
-    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(base64("\xff\xfe"), "//4=");
 }
 
 TEST(Words, numbers_are_written_as_people_write_them) {
