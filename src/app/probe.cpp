@@ -27,6 +27,7 @@ bool advance_calmly(const Model& model, State& state, Exchange& exchange, int st
     bool calm = true;
     with_team(model.threads, [&] {
         for (int n = 0; n < steps && calm; ++n) {
+            if (!model.exits.empty()) on_one_thread([&] { release_cells(model, state); });
             advance(model, state, exchange);
             on_one_thread([&] { calm = is_calm(state.cells); });
         }

@@ -140,9 +140,6 @@ void judge_ports(Judge& judge, const Case& c) {
         judge.tell({"numerics.equilibrium"},
                    "equilibrium = \"full\" is not possible with ports, whose pressures would "
                    "change the density; leave it out");
-    if (!c.numerics.fluid_only)
-        judge.tell({"numerics.fluid_only"},
-                   "cells do not pass ports yet; write fluid_only = true in [numerics]");
 }
 
 void judge_positions_given(Judge& judge, const Case& c, const AtPositions& layout) {

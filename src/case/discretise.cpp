@@ -59,6 +59,22 @@ std::vector<PortCondition> port_conditions(const Case& c, const Choice& choice, 
     return conditions;
 }
 
+/// Cells fade over two of their lengths where plasma leaves.
+std::vector<Exit> exits_of(const Case& c, const Choice& choice) {
+    if (c.numerics.fluid_only) return {};
+    const double fade = 4.0 * equivalent_radius(c).si / choice.dx.si;
+    std::vector<Exit> exits;
+    for (std::size_t n = 0; n < c.ports.size(); ++n) {
+        const Opening& opening = choice.walls->solid.openings[n];
+        const LatticeOpening& place = choice.walls->openings[n];
+        const bool leaves = choice.undisturbed->ports[n].inflow < 0.0;
+        exits.push_back({opening.from, opening.to,
+                         Vec2{static_cast<double>(place.out_x), static_cast<double>(place.out_y)},
+                         leaves ? fade : 0.0});
+    }
+    return exits;
+}
+
 ViscosityModel viscosity_of(const Case& c, const Choice& choice, const Scales& scales) {
     const NumericsCase& n = c.numerics;
     ViscosityModel viscosity;
@@ -107,6 +123,8 @@ Model discretise(const Case& c, const Choice& choice) {
         m.boundaries.ports = port_conditions(c, choice, m);
         for (const PortCase& port : c.ports) m.port_names.push_back(port.name);
         m.drive.target_velocity = m.scales.to_lattice(Velocity{1.0});
+        m.exits = exits_of(c, choice);
+        m.origin = choice.origin / choice.dx.si;
     }
     const double gradient = m.scales.to_lattice(choice.pressure_gradient);
     if (c.flow.shear()) {

@@ -168,7 +168,7 @@ void judge_positions(Judge& judge, const Case& c) {
     const double lowest = -extent.low.y, highest = c.domain.width.si - extent.high.y;
     for (const auto& p : layout->positions) {
         if (p.size() != 2) return;
-        if (c.domain.sides == Sides::walls && lowest < highest &&
+        if (c.domain.sides == Sides::walls && c.geometry.straight() && lowest < highest &&
             (p[1].si < lowest || p[1].si > highest))
             judge.tell({"cells.positions"},
                        fmt::format("the cell at [{}, {}] reaches into a wall; its y may be from {} "

@@ -92,8 +92,8 @@ std::vector<Placement> placements(const Case& c, const Model& m, const std::vect
     if (const auto* layout = std::get_if<AtPositions>(&c.cells.layout)) {
         std::vector<Placement> cells;
         for (const auto& p : layout->positions) {
-            cells.push_back(
-                {{m.scales.to_lattice(p[0]), m.scales.to_lattice(p[1])}, c.cells.angle.si});
+            const Vec2 place{m.scales.to_lattice(p[0]), m.scales.to_lattice(p[1])};
+            cells.push_back({place - m.origin, c.cells.angle.si});
         }
         return cells;
     }
@@ -137,6 +137,13 @@ void refuse_bad_placements(const Model& m, const Suspension& cells) {
             break;
         }
     }
+    for (int c = 0; c < cells.cell_count(); ++c)
+        for (std::size_t n = 0; n < m.exits.size(); ++n)
+            if (way_to(m.exits[n], m, cells, c) < Lattice::halo)
+                faults.push_back({"", 0, 0,
+                                  fmt::format("[cells] cell {} lies in port '{}'; move it into the "
+                                              "channel",
+                                              c, m.port_names[n])});
     for (int c = 0; m.lattice.walls && !walls && c < cells.cell_count(); ++c) {
         for (int n = cells.first[c]; n < cells.first[c + 1]; ++n) {
             if (cells.y[n] > 0.0 && cells.y[n] < m.lattice.ny) continue;

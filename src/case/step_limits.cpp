@@ -148,7 +148,9 @@ Length equivalent_radius(const Case& c) {
     return c.cells.radius;
 }
 
-bool carries_cells(const Case& c) { return c.flow.channel() && !c.numerics.fluid_only; }
+bool carries_cells(const Case& c) {
+    return (c.flow.channel() || c.network()) && !c.numerics.fluid_only;
+}
 
 double expected_stretch(const Case& c, const Undisturbed& flow, const Membrane& membrane) {
     if (c.numerics.fluid_only) return 1.0;

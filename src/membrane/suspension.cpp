@@ -21,6 +21,21 @@ void size_derived(Suspension& cells) {
         zero->resize(cells.x.size(), 0.0);
 }
 
+void remove_cell(Suspension& cells, int cell) {
+    const int begin = cells.first[cell], end = cells.first[cell + 1];
+    for (auto* per_node :
+         {&cells.x, &cells.y, &cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux,
+          &cells.uy, &cells.ux_sampled, &cells.uy_sampled, &cells.rest_curvature, &cells.dipole_xx,
+          &cells.dipole_xy, &cells.rate_xx, &cells.rate_xy, &cells.rest_length, &cells.stiffness})
+        per_node->erase(per_node->begin() + begin, per_node->begin() + end);
+    for (auto* per_cell : {&cells.reference_area, &cells.reference_perimeter, &cells.alpha,
+                           &cells.area, &cells.perimeter})
+        per_cell->erase(per_cell->begin() + cell);
+    cells.id.erase(cells.id.begin() + cell);
+    cells.first.erase(cells.first.begin() + cell);
+    for (int c = cell; c < static_cast<int>(cells.first.size()); ++c) cells.first[c] -= end - begin;
+}
+
 void add_cell(Suspension& cells, const std::vector<Vec2>& points) {
     TT_EXPECTS(points.size() >= 8);
     const std::size_t n = points.size();
@@ -44,6 +59,7 @@ void add_cell(Suspension& cells, const std::vector<Vec2>& points) {
                        &cells.ux_sampled, &cells.uy_sampled})
         zero->resize(cells.x.size(), 0.0);
     size_derived(cells);
+    cells.id.push_back(cells.id.empty() ? 0 : cells.id.back() + 1);
     cells.reference_area.push_back(0.5 * doubled_area);
     cells.reference_perimeter.push_back(perimeter);
     cells.alpha.push_back(1.0);

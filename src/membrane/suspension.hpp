@@ -32,6 +32,7 @@ struct Suspension {
     std::vector<double> stiffness;    ///< d(T α)/dλ/l₀ of the last step, at least 0; derived
 
     // Per cell.
+    std::vector<std::int32_t> id;             ///< its number for ever, whoever leaves
     std::vector<double> reference_area;       ///< A_ref
     std::vector<double> reference_perimeter;  ///< L₀, the sum of rest lengths
     std::vector<double> alpha;  ///< α(λ_C) of the last step: scales area pressure and repulsion
@@ -72,6 +73,9 @@ inline Outline outline(const Suspension& cells, int cell) {
 /// those of the polygon, rest curvature that of its nodes. Precondition: at least 8 points,
 /// counter-clockwise, simple.
 void add_cell(Suspension& cells, const std::vector<Vec2>& points);
+
+/// Takes a cell out; those after it move up, and keep their ids.
+void remove_cell(Suspension& cells, int cell);
 
 /// Gives the derived arrays their size: after the nodes were added or loaded.
 void size_derived(Suspension& cells);

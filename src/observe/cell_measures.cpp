@@ -36,8 +36,8 @@ void measure_place(const Model& model, const State& state, int cell, const AreaM
     const auto ux = of_cell(cells.ux, cells, cell), uy = of_cell(cells.uy, cells, cell);
     const Vec2 centroid = moments.centroid, velocity = centroid_velocity(shape, ux, uy);
     const Scales& scales = model.scales;
-    m.x = scales.to_si<Length>(centroid.x);
-    m.y = scales.to_si<Length>(centroid.y);
+    m.x = scales.to_si<Length>(centroid.x + model.origin.x);
+    m.y = scales.to_si<Length>(centroid.y + model.origin.y);
     m.velocity = scales.to_si<Velocity>(velocity.x);
     m.phase_rate = scales.to_si<Rate>(turning_rate(shape, ux, uy, centroid, velocity));
     m.wall_distance.si = std::numeric_limits<double>::quiet_NaN();
@@ -109,7 +109,7 @@ CellMeasures measure_cell(const Model& model, const State& state, const PlasmaMa
                           int cell) {
     CellMeasures m;
     m.time = Time{static_cast<double>(state.step) * model.scales.time};
-    m.cell = cell;
+    m.cell = state.cells.id[cell];
     const AreaMoments moments = area_moments(outline(state.cells, cell));
     measure_place(model, state, cell, moments, m);
     measure_shape(model.scales, state.cells, cell, moments, m);

@@ -9,20 +9,10 @@
 
 #include "base/error.hpp"
 #include "fluid/moments.hpp"
+#include "observe/all_cells.hpp"
 
 namespace tt {
 namespace {
-
-std::vector<double> interleaved(const std::vector<double>& x, const std::vector<double>& y,
-                                double unit) {
-    std::vector<double> pairs;
-    pairs.reserve(2 * x.size());
-    for (std::size_t n = 0; n < x.size(); ++n) {
-        pairs.push_back(x[n] * unit);
-        pairs.push_back(y[n] * unit);
-    }
-    return pairs;
-}
 
 template <class Real>
 void add_flow(const Model& model, const Sites<Real>& sites, Frame& frame) {
@@ -67,9 +57,10 @@ Frame membranes_of(const Snapshot& snapshot) {
     Frame frame;
     frame.time = snapshot.time().si;
     frame.step = snapshot.step();
-    frame.nodes = interleaved(state.cells.x, state.cells.y, scales.length);
-    frame.node_force = interleaved(state.cells.fx, state.cells.fy, scales.unit(Tension::dimension));
-    frame.node_velocity = interleaved(state.cells.ux, state.cells.uy, speed);
+    frame.nodes = per_node_of_all(state, state.cells.x, state.cells.y, scales.length);
+    frame.node_force =
+        per_node_of_all(state, state.cells.fx, state.cells.fy, scales.unit(Tension::dimension));
+    frame.node_velocity = per_node_of_all(state, state.cells.ux, state.cells.uy, speed);
     return frame;
 }
 
@@ -92,7 +83,8 @@ FramesHeader frames_header(const Model& model, const State& state, const std::st
     header.width = model.lattice.ny * model.scales.length;
     header.nx = model.lattice.nx;
     header.ny = model.lattice.ny;
-    header.first = state.cells.first;
+    const AllCells all = all_cells(state);
+    header.first = all.first;
     if (const Walls* walls = model.boundaries.walls.get()) {
         header.wall_first = {0};
         for (const Loop& loop : solid_loops(walls->solid, header.nx, header.ny)) {
@@ -103,7 +95,7 @@ FramesHeader frames_header(const Model& model, const State& state, const std::st
                                         static_cast<std::int32_t>(loop.size()));
         }
     }
-    for (const double length : state.cells.rest_length)
+    for (const double length : all.rest_length)
         header.rest_length.push_back(length * model.scales.length);
     return header;
 }

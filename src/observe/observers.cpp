@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "observe/frame_recorder.hpp"
+#include "observe/left_cells.hpp"
 #include "observe/port_series.hpp"
 #include "observe/profile_average.hpp"
 #include "observe/series.hpp"
@@ -56,6 +57,7 @@ Observers observers_of(const RunRequest& request, const std::filesystem::path& r
             std::make_unique<ProfileAverage>(rows, results, request.average_from, model, say));
     else
         observers.add(std::make_unique<PortSeries>(rows, results, model.port_names));
+    if (!model.exits.empty()) observers.add(std::make_unique<LeftCells>(rows, results));
     observers.add(std::make_unique<FrameRecorder>(Schedule(frames.si, dt), with_fields, results,
                                                   header, say));
     return observers;

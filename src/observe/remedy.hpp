@@ -36,6 +36,6 @@ struct BlowUp {
 /// the settings of that one, or that none of them did so. A minute of the clock at most, less if
 /// the run is asked to stop.
 Suggestion tried_suggestion(const std::vector<Remedy>& remedies, const BlowUp& blow_up,
-                    const HealthLimits& limits, Exchange& exchange);
+                            const HealthLimits& limits, Exchange& exchange);
 
 }  // namespace tt

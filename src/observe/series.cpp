@@ -28,12 +28,15 @@ std::vector<CellMeasures> Series::with_phase(const Snapshot& snapshot) {
     std::vector<CellMeasures> cells = snapshot.cells();
     const double elapsed = snapshot.time().si - last_time_;
     const bool first = phase_.empty();
-    phase_.resize(cells.size(), 0.0);
-    last_rate_.resize(cells.size(), 0.0);
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        if (!first) phase_[c] += 0.5 * (last_rate_[c] + cells[c].phase_rate.si) * elapsed;
-        last_rate_[c] = cells[c].phase_rate.si;
-        cells[c].phase = phase_[c];
+    if (first) {
+        phase_.resize(cells.size(), 0.0);
+        last_rate_.resize(cells.size(), 0.0);
+    }
+    for (CellMeasures& cell : cells) {
+        const auto number = static_cast<std::size_t>(cell.cell);
+        if (!first) phase_[number] += 0.5 * (last_rate_[number] + cell.phase_rate.si) * elapsed;
+        last_rate_[number] = cell.phase_rate.si;
+        cell.phase = phase_[number];
     }
     last_time_ = snapshot.time().si;
     return cells;
@@ -64,7 +67,8 @@ void Series::examine(const ArchiveReader& archive, const State& state) {
     interval_in(archive, "series.interval");
     if (!std::isfinite(archive.value<double>("series.last_time")))
         throw DamagedArchive("the checkpoint cannot be loaded: its last look has no time");
-    const auto cells = static_cast<std::size_t>(state.cells.cell_count());
+    const std::size_t cells =
+        static_cast<std::size_t>(state.cells.cell_count()) + state.departed.size();
     for (const char* name : {"series.phase", "series.last_rate"}) {
         const auto values = archive.take<double>(name);
         if (!values.empty() && values.size() != cells)

@@ -121,9 +121,11 @@ CellMesh cell_mesh(const FramesHeader& header, const std::vector<Vec2>& nodes) {
         const auto begin = static_cast<std::size_t>(header.first[static_cast<std::size_t>(c)]);
         const auto end = static_cast<std::size_t>(header.first[static_cast<std::size_t>(c) + 1]);
         const auto outline = std::span(scaled).subspan(begin, end - begin);
+        const std::vector<Vec2> shifts = image_shifts(header, nodes, c);
+        if (shifts.empty()) continue;
         const auto inside = triangulate(outline);
         int image = 0;
-        for (const Vec2 shift : image_shifts(header, nodes, c)) {
+        for (const Vec2 shift : shifts) {
             mesh.add(c, image, static_cast<std::int64_t>(begin), outline, um * shift, inside);
             image = 1;
         }

@@ -53,6 +53,7 @@ std::vector<Vec2> image_shifts(const FramesHeader& header, const std::vector<Vec
                                int cell) {
     const auto begin = wrapped.begin() + header.first[static_cast<std::size_t>(cell)];
     const auto end = wrapped.begin() + header.first[static_cast<std::size_t>(cell) + 1];
+    if (begin == end || !std::isfinite(begin->x)) return {};  // it has left
     const auto [left, right] =
         std::minmax_element(begin, end, [](Vec2 a, Vec2 b) { return a.x < b.x; });
     const auto [low, high] =

@@ -21,7 +21,7 @@ std::vector<Vec2> wrapped_nodes(const FramesHeader& header, const Frame& frame);
 std::vector<double> segment_lengths(const FramesHeader& header, const Frame& frame);
 
 /// By how much to move a cell of `wrapped_nodes` [m] to draw it and its images that reach into the
-/// box: 0 first, then whole lengths and widths of the box.
+/// box: 0 first, then whole lengths and widths of the box; nothing of a cell that has left.
 std::vector<Vec2> image_shifts(const FramesHeader& header, const std::vector<Vec2>& wrapped,
                                int cell);
 

@@ -26,7 +26,8 @@ std::vector<double> chosen_stretches(const FramesHeader& header, const Frame& fr
                 length += lengths[n];
                 rest += header.rest_length[n];
             }
-            stretches.push_back(length / rest);
+            // Of a cell that has left: as at rest.
+            stretches.push_back(std::isfinite(length) ? length / rest : 1.0);
         }
     }
     return stretches;

@@ -59,6 +59,7 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     done(Pass::membrane);
 
     add_pair_forces(m.contact, m.lattice, s.step, s.cells, s.contact);  // Eqs. 16–17
+    if (!m.exits.empty()) fade_forces(m, s.cells);
     done(Pass::contact);
 
     locate(m.delta, m.lattice, s.cells, sites.stencils);  // Eq. 8

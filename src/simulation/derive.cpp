@@ -63,6 +63,21 @@ void start_flow(const Model& model, const VectorField<>& velocity, const Field<>
         state.sites);
 }
 
+void derive_kept(const Model& model, State& state) {
+    // `derive` lays the cytoplasm where the nodes are now; the run goes on from where it was last
+    // laid.
+    const std::vector<double> x = state.interior.x;
+    const std::vector<double> y = state.interior.y;
+    derive(model, state);
+    state.interior.x = x;
+    state.interior.y = y;
+    std::visit(
+        [&](auto& sites) {
+            restore_viscosity(model.viscosity, state.cells, state.interior, sites.relaxation);
+        },
+        state.sites);
+}
+
 void derive(const Model& model, State& state) {
     std::visit([&](auto& sites) { derive(model, sites, state); }, state.sites);
 }

@@ -17,5 +17,7 @@ void start_flow(const Model& model, const VectorField<>& velocity, const Field<>
 /// Sizes and fills all of a State that follows from its populations and cells: after building one,
 /// and after loading one. Precondition: populations are on the model's lattice.
 void derive(const Model& model, State& state);
+/// The same, but the cytoplasm stays where it was last laid: as after reading a checkpoint.
+void derive_kept(const Model& model, State& state);
 
 }  // namespace tt

@@ -29,6 +29,9 @@ public:
     /// Starts from the positions in `state`.
     Health(const HealthLimits& limits, const State& state);
 
+    /// Starts anew from the positions in `state`, as some cells are gone.
+    void forget(const State& state) { x_ = state.cells.x, y_ = state.cells.y; }
+
     /// Looks at the nodes a step has moved: the way of each since the last call, and its place
     /// between the walls. Cheap; `advance` calls it in every step. Team function, by cells.
     void watch_nodes(const Model& model, const Suspension& cells);

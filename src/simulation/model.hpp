@@ -14,6 +14,7 @@
 #include "grid/lattice.hpp"
 #include "interaction/contact.hpp"
 #include "membrane/forces.hpp"
+#include "simulation/exits.hpp"
 #include "simulation/undisturbed.hpp"
 
 namespace tt {
@@ -37,6 +38,8 @@ struct Model {
     Precision precision = Precision::fp64;  ///< of what the sites hold
     Boundaries boundaries;
     std::vector<std::string> port_names;  ///< of boundaries.ports
+    std::vector<Exit> exits;              ///< the same ports, as cells meet them
+    Vec2 origin;                          ///< of the box, in the coordinates of the drawing
     Drive drive;
     ViscosityModel viscosity;
     Delta delta;

@@ -24,6 +24,10 @@ void run_steps(const Model& model, State& state, Exchange& exchange, Health& hea
         for (std::int64_t next = state.step + 1;; ++next) {
             const bool done = last[next % 2];
             if (team_rank() == 0) decide(next + 1);
+            if (!model.exits.empty())
+                on_one_thread([&] {
+                    if (release_cells(model, state)) health.forget(state);
+                });
             advance(model, state, exchange, times, &health);
             const auto found = health.after_step(model, state, done || health.due(next));
             if (found && team_rank() == 0) fault = found;

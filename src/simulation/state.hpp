@@ -13,6 +13,7 @@
 #include "fluid/edges.hpp"
 #include "interaction/contact.hpp"
 #include "membrane/suspension.hpp"
+#include "simulation/exits.hpp"
 
 namespace tt {
 
@@ -46,14 +47,15 @@ struct DriveState {
 };
 
 /// All that changes. A checkpoint holds step, populations, cells, drive, the contact counters, the
-/// ports and where the cytoplasm was last laid (interior.x, y); the rest is derived.
+/// ports, who left and where the cytoplasm was last laid (interior.x, y); the rest is derived.
 struct State {
     std::int64_t step = 0;
     SitesInPrecision sites;
     Suspension cells;
     DriveState drive;
     ContactState contact;
-    std::vector<PortFlow> ports;  ///< of the openings of the walls
+    std::vector<PortFlow> ports;     ///< of the openings of the walls
+    std::vector<Departed> departed;  ///< cells that left through them
 
     InteriorState interior;  ///< derived from the above, but for the places kept in it
 

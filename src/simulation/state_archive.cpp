@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -110,6 +111,60 @@ void load_ports(const ArchiveReader& archive, const Model& model, State& state) 
         if (!std::isfinite(number)) refuse("'ports' holds a number that is not finite");
 }
 
+/// The numbers of who left, and of the cells that are there: without departures they are counted
+/// through.
+void save_departed(ArchiveOutput& archive, const State& state) {
+    std::vector<std::int64_t> whole;
+    std::vector<double> numbers;
+    for (const Departed& d : state.departed) {
+        const auto nodes = static_cast<std::int64_t>(d.rest_length.size());
+        whole.insert(whole.end(), {d.id, d.step, d.exit, nodes});
+        numbers.insert(numbers.end(), {d.place, d.lambda_C, d.speed, d.area});
+        numbers.insert(numbers.end(), d.rest_length.begin(), d.rest_length.end());
+    }
+    archive.put("departed.whole", whole);
+    archive.put("departed.numbers", numbers);
+    archive.put("id", state.cells.id);
+}
+
+void load_departed(const ArchiveReader& archive, const Model& model, State& state) {
+    std::vector<std::int32_t>& id = state.cells.id;
+    if (!archive.has("departed.whole")) {
+        id.resize(state.cells.first.empty() ? 0 : state.cells.first.size() - 1);
+        std::iota(id.begin(), id.end(), 0);
+        return;
+    }
+    const auto whole = archive.take<std::int64_t>("departed.whole");
+    const auto numbers = archive.take<double>("departed.numbers");
+    id = archive.take<std::int32_t>("id");
+    constexpr std::size_t columns = 4;
+    std::size_t at = 0;
+    for (std::size_t k = 0; k + columns <= whole.size(); k += columns) {
+        Departed d{whole[k], whole[k + 1], whole[k + 2], 0.0, 1.0, 0.0, 0.0, {}};
+        const auto nodes = static_cast<std::size_t>(std::max<std::int64_t>(whole[k + 3], 0));
+        if (nodes > numbers.size() || at + columns + nodes > numbers.size() || d.id < 0 ||
+            d.exit < 0 || d.exit >= static_cast<std::int64_t>(model.exits.size()))
+            refuse("its list of cells that left is wrong");
+        d.place = numbers[at], d.lambda_C = numbers[at + 1], d.speed = numbers[at + 2];
+        d.area = numbers[at + 3];
+        const auto from = numbers.begin() + static_cast<std::ptrdiff_t>(at + columns);
+        d.rest_length.assign(from, from + static_cast<std::ptrdiff_t>(nodes));
+        at += columns + nodes;
+        state.departed.push_back(std::move(d));
+    }
+    const auto all = state.cells.first.size() - 1 + state.departed.size();
+    std::vector<bool> taken(all, false);
+    const auto take = [&](std::int64_t number) {
+        if (number < 0 || number >= static_cast<std::int64_t>(all) ||
+            taken[static_cast<std::size_t>(number)])
+            refuse("the numbers of its cells are wrong");
+        taken[static_cast<std::size_t>(number)] = true;
+    };
+    if (id.size() + state.departed.size() != all) refuse("the numbers of its cells are wrong");
+    for (const std::int32_t number : id) take(number);
+    for (const Departed& d : state.departed) take(d.id);
+}
+
 /// The fewest nodes of a cell, as `add_cell` asks.
 constexpr std::int32_t fewest_nodes = 8;
 
@@ -197,6 +252,7 @@ void copy_saved(const State& from, State& to) {
     to.contact.repulsion_count = from.contact.repulsion_count;
     to.contact.smallest_gap = from.contact.smallest_gap;
     to.ports = from.ports;
+    to.departed = from.departed;
     to.interior.x = from.interior.x;
     to.interior.y = from.interior.y;
 }
@@ -205,6 +261,7 @@ void save_state(ArchiveOutput& archive, const State& state) {
     for_each_number(state, [&](const char* name, auto value) { archive.put_value(name, value); });
     for_each_array(state, [&](const char* name, const auto& values) { archive.put(name, values); });
     if (!state.ports.empty()) archive.put("ports", array_of(state.ports));
+    if (!state.departed.empty()) save_departed(archive, state);
     std::visit(
         [&](const auto& sites) {
             const auto& populations = sites.populations;
@@ -225,22 +282,12 @@ State load_state(const ArchiveReader& archive, const Model& model, Exchange& exc
     });
     load_ports(archive, model, state);
     expect_sound(model.lattice, state);
+    load_departed(archive, model, state);
     size_derived(state.cells);
     state.sites = sites_at_rest(model.lattice, model.precision);
     std::visit([&](auto& sites) { load_populations(archive, exchange, sites.populations); },
                state.sites);
-    // `derive` lays the cytoplasm where the nodes are now; the run goes on from where it was last
-    // laid.
-    const std::vector<double> x = state.interior.x;
-    const std::vector<double> y = state.interior.y;
-    derive(model, state);
-    state.interior.x = x;
-    state.interior.y = y;
-    std::visit(
-        [&](auto& sites) {
-            restore_viscosity(model.viscosity, state.cells, state.interior, sites.relaxation);
-        },
-        state.sites);
+    derive_kept(model, state);
     return state;
 }
 
@@ -252,6 +299,11 @@ std::uint64_t state_hash(const State& state) {
     });
     const std::vector<double> ports = array_of(state.ports);
     sum.add(ports.data(), ports.size() * sizeof(double));
+    for (const Departed& d : state.departed) {
+        for (const std::int64_t number : {d.id, d.step, d.exit}) sum.add(&number, sizeof number);
+        for (const double number : {d.place, d.lambda_C, d.speed, d.area})
+            sum.add(&number, sizeof number);
+    }
     std::visit(
         [&](const auto& sites) {
             for (int i = 0; i < d2q9::count; ++i) {

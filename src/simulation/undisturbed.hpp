@@ -10,8 +10,8 @@ namespace tt {
 
 /// The steady flow of plasma alone, without inertia, between walls of any shape, driven by a force
 /// along x; and, where y is periodic, by as much along y as makes the mean flow go along x: an
-/// array of posts that leans would turn it aside. Or driven by ports. In units in which its mean velocity along x, over
-/// all of the box, is 1 and so is a site.
+/// array of posts that leans would turn it aside. Or driven by ports. In units in which its mean
+/// velocity along x, over all of the box, is 1 and so is a site.
 struct UndisturbedFlow {
     VectorField<> velocity;
     Field<> density;  ///< deviation times viscosity, p = ρ/3: what varies about the mean drop

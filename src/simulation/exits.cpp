@@ -1,0 +1,112 @@
+#include "simulation/exits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "membrane/outline.hpp"
+#include "simulation/derive.hpp"
+#include "simulation/model.hpp"
+#include "simulation/state.hpp"
+
+namespace tt {
+namespace {
+
+constexpr double reach = Lattice::halo;  ///< of a kernel
+
+Vec2 middle_of(const Outline& shape) {
+    Vec2 sum;
+    for (int k = 0; k < shape.size(); ++k) sum += shape[k];
+    return sum / static_cast<double>(shape.size());
+}
+
+/// Nothing but fluid between a place and the exit ahead of it.
+bool in_sight(const Exit& exit, const Walls& walls, Vec2 place, double way) {
+    for (double at = 0.0; at < way - 0.5; at += 1.0) {
+        const Vec2 p = place + at * exit.out;
+        const int i = static_cast<int>(std::floor(p.x)), j = static_cast<int>(std::floor(p.y));
+        if (!walls.is_open(i, j)) return false;
+    }
+    return true;
+}
+
+Departed departed(const Exit& exit, std::int64_t number, const State& state, int cell) {
+    const Suspension& cells = state.cells;
+    const Outline shape = outline(cells, cell);
+    const Vec2 along = exit.to - exit.from;
+    Departed d;
+    d.id = cells.id[cell];
+    d.step = state.step;
+    d.exit = number;
+    d.place = dot(middle_of(shape) - exit.from, along) / norm(along);
+    d.area = area_moments(shape).area;
+    d.lambda_C = perimeter(shape) / cells.reference_perimeter[cell];
+    for (int n = cells.first[cell]; n < cells.first[cell + 1]; ++n) {
+        d.speed += dot(cells.velocity(n), exit.out) / shape.size();
+        d.rest_length.push_back(cells.rest_length[n]);
+    }
+    return d;
+}
+
+void take_out(State& state, int cell) {
+    const int begin = state.cells.first[cell], end = state.cells.first[cell + 1];
+    for (auto* kept : {&state.interior.x, &state.interior.y})
+        kept->erase(kept->begin() + begin, kept->begin() + end);
+    remove_cell(state.cells, cell);
+}
+
+}  // namespace
+
+double way_to(const Exit& exit, const Model& model, const Suspension& cells, int cell) {
+    const Outline shape = outline(cells, cell);
+    const Vec2 along = exit.to - exit.from, middle = middle_of(shape);
+    const double share = dot(middle - exit.from, along) / dot(along, along);
+    const double way = dot(exit.from - middle, exit.out);
+    const double farthest = exit.fade + reach + 0.5 * cells.perimeter[cell];
+    if (share < 0.0 || share > 1.0 || way < 0.0 || way > farthest) return HUGE_VAL;
+    if (!in_sight(exit, *model.boundaries.walls, middle, way)) return HUGE_VAL;
+    double foremost = way;
+    for (int k = 0; k < shape.size(); ++k)
+        foremost = std::min(foremost, dot(exit.from - shape[k], exit.out));
+    return foremost;
+}
+
+void fade_forces(const Model& model, Suspension& cells) {
+    const auto [begin, end] = own_cells(cells);
+    for (int c = begin; c < end; ++c) {
+        double left = 1.0;
+        for (const Exit& exit : model.exits)
+            if (exit.fade > 0.0)
+                left = std::min(left, (way_to(exit, model, cells, c) - reach) / exit.fade);
+        if (left >= 1.0) continue;
+        for (int n = cells.first[c]; n < cells.first[c + 1]; ++n) {
+            cells.fx[n] *= std::max(left, 0.0);
+            cells.fy[n] *= std::max(left, 0.0);
+        }
+    }
+}
+
+bool release_cells(const Model& model, State& state) {
+    const std::size_t before = state.departed.size();
+    for (int c = 0; c < state.cells.cell_count();) {
+        bool leaves = false;
+        for (std::size_t n = 0; n < model.exits.size() && !leaves; ++n) {
+            leaves = way_to(model.exits[n], model, state.cells, c) < reach;
+            if (leaves)
+                state.departed.push_back(
+                    departed(model.exits[n], static_cast<std::int64_t>(n), state, c));
+        }
+        if (leaves)
+            take_out(state, c);
+        else
+            ++c;
+    }
+    if (state.departed.size() == before) return false;
+    const ContactState contact = state.contact;
+    state.contact = {};
+    state.contact.repulsion_count = contact.repulsion_count;
+    state.contact.smallest_gap = contact.smallest_gap;
+    derive_kept(model, state);
+    return true;
+}
+
+}  // namespace tt
