@@ -45,13 +45,18 @@ int write_case(const NewOptions& options) {
     const std::filesystem::path path =
         named ? given : std::filesystem::path(options.name + ".toml");
     const Template& chosen = find_template(options.from);
-    if (std::filesystem::exists(path))
-        throw IoError(
-            fmt::format("{} is there already; choose another name or remove it", path.string()));
+    const std::filesystem::path outline = path.parent_path() / fmt::format("{}.csv", chosen.name);
+    std::vector<std::filesystem::path> files{path};
+    if (!chosen.outline.empty()) files.push_back(outline);
+    for (const auto& file : files)
+        if (std::filesystem::exists(file))
+            throw IoError(fmt::format("{} is there already; choose another name or remove it",
+                                      file.string()));
     if (path.has_parent_path()) make_directory(path.parent_path());
     replace_file(path, renamed(std::string(chosen.text), name_from(path.stem().string())),
                  Durability::process);
-    fmt::print("wrote {}\n", path.string());
+    if (!chosen.outline.empty()) replace_file(outline, chosen.outline, Durability::process);
+    for (const auto& file : files) fmt::print("wrote {}\n", file.string());
     std::fflush(stdout);  // before what goes to stderr
     tell_user("next:  tanktread check {0}\n       tanktread run {0}\n", path.string());
     return exit_code::done;
@@ -75,6 +80,7 @@ void add_new(CLI::App& app, Action& action) {
         "  poiseuille  plasma alone in a channel\n"
         "  couette     two fluids between sliding walls\n"
         "  stenosis    cells through a channel that narrows from 20 to 8 um\n"
+        "  fork        cells in a channel that forks, between ports\n"
         "  posts       a cell in an array of posts that sorts by size\n\n"
         "Without --from it is a channel. A file that is there already is never\n"
         "overwritten.");

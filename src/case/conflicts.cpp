@@ -131,7 +131,6 @@ void judge_ports(Judge& judge, const Case& c) {
         judge.tell({first},
                    "every port holds a flow; where they do not add up to nothing the fluid has "
                    "nowhere to go: write pressure = \"0 Pa\" for one of them");
-    judge.forbid("domain.sides", "with ports");
     if (!std::holds_alternative<NoDrive>(c.flow.drive))
         judge.tell({"flow.drive"}, fmt::format("drive = \"{}\" means nothing with ports, which "
                                                "drive the flow; leave it out",

@@ -142,7 +142,7 @@ std::vector<Fault> fit_box(Case& c, const Places& places) {
                 fmt::format("{} = {}, but the drawing takes {}; leave {} out", key, to_text(size),
                             rounded_text(Length{drawn_size}, 6), key);
         }
-        size.si = drawn_size;
+        size.si = std::nearbyint(drawn_size * 1e15) / 1e15;  // of a sum of decimals
     };
     fit("length", corners.high.x - corners.low.x, c.domain.length);
     fit("width", corners.high.y - corners.low.y, c.domain.width);

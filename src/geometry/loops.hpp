@@ -22,9 +22,9 @@ struct Opening {
 /// same loops stand again at all its multiples.
 struct Solid {
     std::vector<Loop> loops;
-    std::vector<Opening> openings = {};
     bool outside = false;
     double period_x = 0.0, period_y = 0.0;
+    std::vector<Opening> openings = {};  ///< in the loops
 
     bool empty() const { return loops.empty(); }
     friend bool operator==(const Solid&, const Solid&) = default;

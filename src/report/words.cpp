@@ -18,6 +18,23 @@ std::string pretty(std::string text) {
     return text;
 }
 
+/// What each port holds.
+std::string port_words(const Results& run) {
+    std::vector<std::string> ports;
+    for (const auto& [key, value] : run.settings) {
+        if (key.rfind("port.", 0) != 0) continue;
+        const std::size_t dot = key.rfind('.');
+        const std::string name = key.substr(5, dot - 5), what = key.substr(dot + 1);
+        if (what == "pressure") ports.push_back(fmt::format("{} at {}", name, pretty(value)));
+        if (what == "flow_rate")
+            ports.push_back(fmt::format("{} with a flow rate of {}", name, pretty(value)));
+        if (what == "mean_velocity")
+            ports.push_back(fmt::format("{} with a mean velocity of {}", name, pretty(value)));
+    }
+    if (ports.empty()) return "";
+    return fmt::format("Ports drive the flow: {}.", fmt::join(ports, ", "));
+}
+
 std::string flow_words(const Results& run) {
     const std::string drive = run.setting("flow.drive");
     const std::string pseudo = run.setting("flow.pseudo_shear_rate");
@@ -31,6 +48,7 @@ std::string flow_words(const Results& run) {
                    : "Walls that move against each other shear the fluid at a shear number of " +
                          number + ".";
     }
+    if (const std::string ports = port_words(run); !ports.empty()) return ports;
     if (drive == "none") return "Nothing drives the flow.";
     if (drive.empty()) return "";
     const std::string how = drive == "body-force" ? "A body force" : "A pressure difference";
@@ -136,7 +154,11 @@ std::string case_in_words(const Results& run) {
     std::string text;
     const std::string length = run.setting("domain.length"), width = run.setting("domain.width");
     if (!length.empty() && !width.empty())
-        text = fmt::format("A box {} long (periodic) and {} wide.", pretty(length), pretty(width));
+        text = port_words(run).empty()
+                   ? fmt::format("A box {} long (periodic) and {} wide.", pretty(length),
+                                 pretty(width))
+                   : fmt::format("Channels, {} long and {} wide in all.", pretty(length),
+                                 pretty(width));
     for (const std::string& sentence : {walls_words(run), flow_words(run), cells_words(run),
                                         membrane_words(run), grid_words(run)})
         if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;

@@ -63,23 +63,37 @@ Vec2 mean_velocity(const VectorField<>& velocity) {
            (static_cast<double>(lattice.nx) * lattice.ny);
 }
 
-/// Until what is left to come of `measure`, by the pace at which changes get smaller, is a share of
-/// 10⁻⁵, and as much goes out as comes in.
-template <class Measure>
-void run_until_steady(Settling& flow, int threads, Measure&& measure) {
+/// What is looked at, and the size of which a share must be left at most.
+struct Reading {
+    double value, size;
+};
+
+/// Until what is left to come of all that `read` looks at, by the pace at which changes get
+/// smaller, is a share of 10⁻⁵, and as much goes out as comes in.
+template <class Read>
+void run_until_steady(Settling& flow, int threads, Read&& read) {
     constexpr int steps = 250, most = 4000;
-    double mean = 0.0, change = HUGE_VAL;
+    constexpr double share = 1e-5;
+    std::vector<double> values, changes;
     for (int n = 0; n < most; ++n) {
         with_team(threads, [&] {
             for (int k = 0; k < steps; ++k) flow.step();
         });
-        const double now = measure();
-        const double before = std::exchange(change, now - mean);
-        mean = now;
-        const double pace = std::fabs(change / before);
-        const double left = pace < 1.0 ? std::fabs(change) * pace / (1.0 - pace) : HUGE_VAL;
-        const bool steady = left < 1e-5 * std::fabs(mean) || change == 0.0;
-        if (n > 2 && steady && flow.imbalance() < 1e-5) return;
+        const std::vector<Reading> readings = read();
+        values.resize(readings.size(), 0.0);
+        changes.resize(readings.size(), HUGE_VAL);
+        bool steady = true;
+        for (std::size_t k = 0; k < readings.size(); ++k) {
+            const double now = readings[k].value;
+            const double before = std::exchange(changes[k], now - values[k]);
+            values[k] = now;
+            const double pace = std::fabs(changes[k] / before);
+            const double left = pace < 1.0 ? std::fabs(changes[k]) * pace / (1.0 - pace) : HUGE_VAL;
+            // Changes of rounding have no pace.
+            const bool rounding = std::fabs(changes[k]) < 1e-9 * readings[k].size;
+            steady = steady && (left < share * readings[k].size || rounding || changes[k] == 0.0);
+        }
+        if (n > 2 && steady && flow.imbalance() < share) return;
     }
 }
 
@@ -124,8 +138,10 @@ void average_two_steps(const Walls& walls, Settling& settling, VectorField<>& ve
 void settle_along(const Walls& walls, Vec2 direction, int threads, VectorField<>& velocity,
                   Field<>& density) {
     Settling settling(walls, direction);
-    run_until_steady(settling, threads,
-                     [&] { return dot(mean_velocity(settling.velocity), settling.push) / force; });
+    run_until_steady(settling, threads, [&] {
+        const double along = dot(mean_velocity(settling.velocity), settling.push) / force;
+        return std::vector<Reading>{{along, std::fabs(along)}};
+    });
     average_two_steps(walls, settling, velocity, density);
 }
 
@@ -202,10 +218,17 @@ UndisturbedFlow undisturbed_flow(const Walls& walls, const std::vector<PortCondi
         if (auto* held = std::get_if<HeldDensity>(&condition)) held->deviation *= viscosity;
     settling.ports.resize(conditions.size());
     run_until_steady(settling, threads, [&] {
-        double power = 0.0;  // Σ Q p
-        for (const PortFlow& port : settling.ports)
-            power += port.mean_inflow() * port.mean_density();
-        return power;
+        double fastest = 0.0, highest = 0.0;
+        for (const PortFlow& port : settling.ports) {
+            fastest = std::max(fastest, std::fabs(port.mean_inflow()));
+            highest = std::max(highest, std::fabs(port.mean_density()));
+        }
+        std::vector<Reading> readings;
+        for (const PortFlow& port : settling.ports) {
+            readings.push_back({port.mean_inflow(), fastest});
+            readings.push_back({port.mean_density(), highest});
+        }
+        return readings;
     });
     UndisturbedFlow flow;
     flow.velocity = VectorField<>(walls.lattice);
