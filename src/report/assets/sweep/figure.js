@@ -1,6 +1,7 @@
 // A quantity against the key along x.
-const colours = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#B07A00", "#2A9FD6", "#7A7A7A"];
-const ramp = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [200, 190, 20]];
+const dark = matchMedia("(prefers-color-scheme: dark)").matches;
+const colours = [dark ? "#4DA3E0" : "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#B07A00", dark ? "#9AD4F5" : "#2A9FD6", "#7F7F7F"];
+const ramp = [dark ? [150, 110, 190] : [68, 1, 84], dark ? [110, 130, 200] : [59, 82, 139], [33, 145, 140], [94, 201, 98], [200, 190, 20]];
 
 function colour(k, count) {
   if (count <= colours.length) return colours[k];

@@ -21,7 +21,8 @@ function differenceTable(one, two) {
 
 function showDifferences() {
   const key = keys[choice.key];
-  const points = curvesNow().flatMap((curve) => curve.points.map((point) => ({ ...point, curve: curve.label })));
+  const measured = (point) => lively.some((q) => over(point.runs, q));
+  const points = curvesNow().flatMap((curve) => curve.points.filter(measured).map((point) => ({ ...point, curve: curve.label })));
   const names = points.map((p, k) => [k, [p.curve, key.short + " = " + p.label].filter(Boolean).join(", ")]);
   const pair = { a: 0, b: points.length - 1 };
   const show = () => element("differences").replaceChildren(differenceTable(points[pair.a], points[pair.b]));
