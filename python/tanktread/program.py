@@ -31,8 +31,8 @@ class InUse(ProgramError):
     """The results directory is of another run, or another process uses it."""
 
 
-_ERRORS = {2: BadCase, 3: Unstable, 4: InUse}
-_STOPPED = 75
+UNSTABLE, STOPPED = 3, 75
+_ERRORS = {2: BadCase, UNSTABLE: Unstable, 4: InUse}
 
 
 def run(case: os.PathLike, output: os.PathLike | None = None, *, set: Mapping[str, object] = {}, threads: int | None = None,
@@ -45,21 +45,21 @@ def run(case: os.PathLike, output: os.PathLike | None = None, *, set: Mapping[st
     `program` is the path of tanktread, if not that on PATH.
     Raises BadCase, Unstable, InUse or ProgramError with the program's message.
     """
-    words = ["run", os.fspath(case), "--progress", "none", *_settings(set)]
+    words = ["run", os.fspath(case), "--progress", "none", *settings(set)]
     for option, value in [("-o", output), ("-j", threads), ("--until", until), ("--max-time", max_time)]:
         if value is not None:
             words += [option, os.fspath(value) if option == "-o" else str(value)]
-    code, out, message = _call(program, words + ["--fresh"] * fresh)
-    if code == _STOPPED:
+    code, out, message = call(program, words + ["--fresh"] * fresh)
+    if code == STOPPED:
         return Results(message.rpartition("tanktread resume ")[2].strip())
-    _raise_if_failed(code, message)
+    raise_if_failed(code, message)
     return Results(out.strip())
 
 
 def new(case: os.PathLike, template: str = "channel", *, program: str | None = None) -> None:
     """Writes a commented case file, as `tanktread new` does. Raises ProgramError if it is there already."""
-    code, _, message = _call(program, ["new", os.fspath(case), "--from", template])
-    _raise_if_failed(code, message)
+    code, _, message = call(program, ["new", os.fspath(case), "--from", template])
+    raise_if_failed(code, message)
 
 
 def check(case: os.PathLike, *, set: Mapping[str, object] = {}, program: str | None = None) -> dict:
@@ -67,25 +67,27 @@ def check(case: os.PathLike, *, set: Mapping[str, object] = {}, program: str | N
 
     A case that would be unstable has "ready" false and its cures in "advice". Raises BadCase for faults of the file.
     """
-    code, out, message = _call(program, ["check", os.fspath(case), "--json", *_settings(set)])
+    code, out, message = call(program, ["check", os.fspath(case), "--json", *settings(set)])
     if not out:
-        _raise_if_failed(code, message)
+        raise_if_failed(code, message)
     return json.loads(out)
 
 
-def _settings(values: Mapping[str, object]) -> list[str]:
-    return [word for key, value in values.items() for word in ("--set", f"{key}={_text(value)}")]
+def settings(values: Mapping[str, object]) -> list[str]:
+    """--set KEY=VALUE of each."""
+    return [word for key, value in values.items() for word in ("--set", f"{key}={setting_text(value)}")]
 
 
-def _text(value: object) -> str:
+def setting_text(value: object) -> str:
+    """A value as it stands after --set KEY=."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(json.dumps(item) if isinstance(item, str) else _text(item) for item in value) + "]"
+        return "[" + ", ".join(json.dumps(item) if isinstance(item, str) else setting_text(item) for item in value) + "]"
     return str(value)
 
 
-def _call(program: str | None, words: list[str]) -> tuple[int, str, str]:
+def call(program: str | None, words: list[str]) -> tuple[int, str, str]:
     """Exit code, standard output and standard error of the program."""
     path = shutil.which(program or "tanktread")
     if path is None:
@@ -105,6 +107,7 @@ def _call(program: str | None, words: list[str]) -> tuple[int, str, str]:
     return process.returncode, *texts
 
 
-def _raise_if_failed(code: int, message: str) -> None:
+def raise_if_failed(code: int, message: str) -> None:
+    """The exception of an exit code."""
     if code != 0:
         raise _ERRORS.get(code, ProgramError)(message.strip(), code)

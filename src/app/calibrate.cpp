@@ -67,6 +67,7 @@ public:
     }
     const fs::path& path() const { return path_; }
     const fs::path& moved_to() const { return moved_to_; }
+    void leave_to_parent() { lock_.leave_to_parent(); }
 
 private:
     /// The answer to other targets; the runs stay, since their names tell what they are of.
@@ -192,22 +193,28 @@ void Calibrator::read_answers(TriedPair& pair) const {
 
 int Calibrator::try_pairs(std::vector<TriedPair>& pairs) {
     std::vector<Job> jobs;
-    for (const TriedPair& pair : pairs) {
-        const std::vector<Job> more = jobs_of(pair);
-        jobs.insert(jobs.end(), more.begin(), more.end());
-    }
-    const int round = calibration_.search.rounds();
-    const auto show = [&](const PoolStanding& now) {
-        const std::string left = clock_text(now.seconds_left);
+    int runs = 0;
+    for (const TriedPair& pair : pairs)
+        for (Job& job : jobs_of(pair)) {
+            ++runs;
+            if (end_of(job.directory) == JobEnd::none) jobs.push_back(std::move(job));
+        }
+    const int round = calibration_.search.rounds(), before = runs - static_cast<int>(jobs.size());
+    PoolOptions options;
+    options.at_once = at_once_;
+    options.command_line = command_line_;
+    options.interval = progress_.interval();
+    options.show = [&](const PoolStanding& now) {
         progress_.show(fmt::format("round {}: {} of {} runs done, {} left in this round", round,
-                                   now.done, now.runs, left),
+                                   before + now.ended, runs, clock_text(now.seconds_left)),
                        Json{{"round", round},
-                            {"done", now.done},
-                            {"runs", now.runs},
+                            {"done", before + now.ended},
+                            {"runs", runs},
                             {"seconds_left", now.seconds_left}}
                            .dump());
     };
-    const int code = run_side_by_side(jobs, at_once_, command_line_, progress_.interval(), show);
+    options.in_child = [&] { directory_.leave_to_parent(); };
+    const int code = run_side_by_side(jobs, options);
     if (code != exit_code::done) return code;
     for (TriedPair& pair : pairs) {
         read_answers(pair);

@@ -163,6 +163,7 @@ int run_command_line(int given, const char* const* words) {
     add_status(app, action);
     add_report(app, action);
     add_export(app, action);
+    add_sweep(app, action, command_line);
     add_calibrate(app, action, command_line);
     add_selftest(app, action);
     add_keys(app, action);

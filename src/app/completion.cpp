@@ -60,7 +60,7 @@ Completion of_values(const CLI::Option& option, std::string_view begun, const st
     if (kind == value_kind::toml_file) return {Completion::Kind::files, {}};
     if (kind == value_kind::directory) return {Completion::Kind::directories, {}};
     Completion found;
-    if (kind == value_kind::setting)
+    if (kind == value_kind::setting || kind == value_kind::axis)
         found = of_settings(begun);
     else if (kind == value_kind::key)
         found = of_keys(begun);

@@ -16,6 +16,7 @@ namespace value_kind {
 inline constexpr const char* toml_file = "FILE";
 inline constexpr const char* directory = "DIR";
 inline constexpr const char* setting = "KEY=VALUE";  ///< a key of the case file, set
+inline constexpr const char* axis = "KEY=VALUES";    ///< a key of the case file and its values
 inline constexpr const char* key = "KEY";            ///< a key of the case file, or a part of one
 inline constexpr const char* count = "N";
 inline constexpr const char* time = "TIME";

@@ -13,9 +13,11 @@
 #include "base/tell.hpp"
 #include "observe/checks.hpp"
 #include "observe/status.hpp"
+#include "observe/sweep_record.hpp"
 #include "report/export.hpp"
 #include "report/figures.hpp"
 #include "report/report.hpp"
+#include "report/sweep_page.hpp"
 
 namespace tt {
 namespace {
@@ -29,7 +31,17 @@ struct ResultsOptions {
     bool json = false;
 };
 
+int show_sweep(const ResultsOptions& options) {
+    const fs::path& directory = options.directories.front();
+    if (options.json)
+        fmt::print("{}\n", read_json(directory / "sweep.json").dump(2));
+    else
+        fmt::print("{}", describe_sweep(read_sweep_record(directory)));
+    return exit_code::done;
+}
+
 int show_status(const ResultsOptions& options) {
+    if (is_sweep(options.directories.front())) return show_sweep(options);
     Json status = read_status(options.directories.front());
     const std::vector<RunCheck> checks = read_checks(options.directories.front());
     if (options.json) {
@@ -42,6 +54,10 @@ int show_status(const ResultsOptions& options) {
 }
 
 int report(const ResultsOptions& options) {
+    if (options.directories.size() == 1 && is_sweep(options.directories.front())) {
+        fmt::print("{}\n", write_sweep_page(options.directories.front(), options.out).string());
+        return exit_code::done;
+    }
     fmt::print("{}\n", write_report(options.directories, options.out).string());
     std::fflush(stdout);  // before what goes to stderr
     if (!can_draw())
@@ -70,7 +86,7 @@ int export_results(const ResultsOptions& options) {
 
 void add_status(CLI::App& app, Action& action) {
     auto options = std::make_shared<ResultsOptions>();
-    CLI::App* verb = app.add_subcommand("status", "tell how far a run is");
+    CLI::App* verb = app.add_subcommand("status", "tell how far a run or a sweep is");
     verb->add_option("directory", options->directories, "the results directory")
         ->required()
         ->expected(1)
@@ -82,7 +98,7 @@ void add_status(CLI::App& app, Action& action) {
 void add_report(CLI::App& app, Action& action) {
     auto options = std::make_shared<ResultsOptions>();
     CLI::App* verb =
-        app.add_subcommand("report", "figures and a page to open, of one run or several");
+        app.add_subcommand("report", "figures and a page to open, of a run, several or a sweep");
     verb->add_option("directories", options->directories, "results directories")
         ->required()
         ->type_name(value_kind::directory);

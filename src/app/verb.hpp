@@ -42,6 +42,7 @@ void add_resume(CLI::App& app, Action& action, const std::string& command_line);
 void add_status(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
+void add_sweep(CLI::App& app, Action& action, const std::string& command_line);
 void add_calibrate(CLI::App& app, Action& action, const std::string& command_line);
 void add_selftest(CLI::App& app, Action& action);
 void add_keys(CLI::App& app, Action& action);

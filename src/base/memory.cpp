@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <string>
 
@@ -22,6 +23,14 @@ double memory_by_limit(const std::vector<std::filesystem::path>& groups) {
         }
     }
     return smallest;
+}
+
+double free_memory() {
+    std::ifstream file("/proc/meminfo");
+    std::string name, unit;
+    for (double kilobytes = 0.0; file >> name >> kilobytes; std::getline(file, unit))
+        if (name == "MemAvailable:") return 1024.0 * kilobytes;
+    return std::numeric_limits<double>::infinity();
 }
 
 double usable_memory() {

@@ -66,6 +66,18 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     return parts;
 }
 
+std::string shell_quoted(std::string_view text) {
+    std::string word = "'";
+    for (const char c : text) {
+        if (c == '\'')
+            word += "'\\''";
+        else
+            word += c;
+    }
+    word += '\'';
+    return word;
+}
+
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
     std::string result;
     std::size_t column = 0;

@@ -19,6 +19,9 @@ std::optional<std::string_view> closest(std::string_view word,
 /// "a|b|c" cut at the bars.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+/// `text` as one word of a shell, within single quotes.
+std::string shell_quoted(std::string_view text);
+
 /// `text` broken at spaces, but not inside quotes, into lines of at most `width` letters; lines
 /// after the first begin with `indent` spaces.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0);

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/words.hpp"
+#include "case/kept_inputs.hpp"
 #include "case/read.hpp"
 #include "case/reader.hpp"
 #include "case/run_name.hpp"
@@ -151,29 +152,12 @@ void TargetsReader::check_condition(const Case& c, const Spot& spot) {
                          word_of(c.cells.layout)));
 }
 
-fs::path TargetsReader::case_path() const {
-    const fs::path given = (folder_ / text_.case_file).lexically_normal();
-    const fs::path copy = folder_ / "inputs" / given.filename();
-    return !fs::exists(given) && fs::exists(copy) ? copy : given;
-}
+fs::path TargetsReader::case_path() const { return find_case(folder_, text_.case_file); }
 
-/// An outline keeps its place beside the case where it has one there.
 std::vector<InputFile> TargetsReader::inputs(const std::vector<Condition>& conditions) const {
-    const fs::path path = case_path();
-    std::vector<InputFile> files{
-        {"inputs/" + path.filename().string(), read_file(path, Author::user)}};
-    for (const Condition& condition : conditions) {
-        const auto* shape = std::get_if<OutlineShape>(&condition.c.cells.shape);
-        if (!shape || !shape->outline) continue;
-        const fs::path outline = shape->file;
-        const fs::path beside = outline.lexically_relative(fs::absolute(path).parent_path());
-        const bool inside = !beside.empty() && *beside.begin() != "..";
-        const std::string name = "inputs/" + (inside ? beside : outline.filename()).string();
-        const auto same = [&](const InputFile& file) { return file.name == name; };
-        if (std::none_of(files.begin(), files.end(), same))
-            files.push_back({name, shape->outline->bytes});
-    }
-    return files;
+    std::vector<const Case*> cases;
+    for (const Condition& condition : conditions) cases.push_back(&condition.c);
+    return kept_inputs(case_path(), read_file(case_path(), Author::user), cases);
 }
 
 std::size_t TargetsReader::condition(const TargetTable& table, const Spot& spot, Targets& result) {

@@ -138,6 +138,11 @@ void DirectoryLock::release() {
     descriptor_ = -1;
 }
 
+void DirectoryLock::leave_to_parent() {
+    owner_ = false;
+    release();
+}
+
 std::optional<fs::path> DirectoryLock::moved() const {
     struct stat held {
     }, there{};

@@ -23,6 +23,8 @@ public:
     /// Throws DirectoryInUse if another process holds it.
     void acquire(const std::filesystem::path& directory);
     void release();
+    /// In a child process: the lock is the parent's alone, and goes with it.
+    void leave_to_parent();
     /// Where the directory is, if that is not where it was.
     std::optional<std::filesystem::path> moved() const;
 

@@ -75,4 +75,12 @@ std::string HtmlTable::text() const {
         caption, head, rows_);
 }
 
+std::string embedded(const Json& json) {
+    std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    for (std::size_t k = 0; (k = text.find('<', k)) != std::string::npos;) {
+        text.replace(k, 1, "\\u003c");
+    }
+    return text;
+}
+
 }  // namespace tt

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/json.hpp"
+
 namespace tt {
 
 /// Text that shows as itself in HTML.
@@ -33,5 +35,8 @@ private:
     std::vector<Column> columns_;
     std::string rows_;
 };
+
+/// JSON that cannot end the script element it stands in.
+std::string embedded(const Json& json);
 
 }  // namespace tt

@@ -149,15 +149,6 @@ std::string page_title(const std::vector<std::string>& labels) {
     return fmt::format("Comparison of {}", fmt::join(labels, ", "));
 }
 
-/// JSON that cannot end the script element it stands in.
-std::string embedded(const Json& json) {
-    std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    for (std::size_t k = 0; (k = text.find('<', k)) != std::string::npos;) {
-        text.replace(k, 1, "\\u003c");
-    }
-    return text;
-}
-
 /// Data of charts and player, each run with its share of the limits.
 Json page_data(std::span<const Results> runs, const std::vector<std::string>& labels,
                PageLimits limits) {

@@ -6,23 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "observe/measures.hpp"
 #include "report/html.hpp"
 #include "report/words.hpp"
 
 namespace tt {
 namespace {
-
-std::string meaning_of(const std::string& name) {
-    std::string meaning;
-    const auto match = [&](const auto& entry) {
-        if (entry.key == name) meaning = entry.meaning;
-    };
-    for_each_field<CellMeasures>(match);
-    for_each_field<RunMeasures>(match);
-    if (name == "tank_treading_kT") meaning = "shear rate × period of tank-treading";
-    return meaning;
-}
 
 /// Mean ± standard error, where that is known.
 std::string mean_text(const SummaryLine& line) {
@@ -54,7 +42,7 @@ std::string summary_of_one(const Results& run) {
                      {"meaning", "meaning"}});
     for (const SummaryLine& line : run.quantities) {
         const DisplayUnit unit = display_unit(line.unit);
-        std::string meaning = meaning_of(line.name);
+        std::string meaning = meaning_of_quantity(line.name);
         if (!line.reason.empty()) meaning += ". Not defined: " + line.reason;
         table.add_row({line.name, unit.name, mean_text(line),
                        number_text(line.sd_time * unit.factor, 2),

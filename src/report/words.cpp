@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "observe/measures.hpp"
+
 namespace tt {
 namespace {
 
@@ -195,6 +197,17 @@ std::string changes_note(const Results& run) {
         text.back() = '.';
     }
     return text;
+}
+
+std::string meaning_of_quantity(const std::string& name) {
+    std::string meaning;
+    const auto match = [&](const auto& entry) {
+        if (entry.key == name) meaning = entry.meaning;
+    };
+    for_each_field<CellMeasures>(match);
+    for_each_field<RunMeasures>(match);
+    if (name == "tank_treading_kT") meaning = "shear rate × period of tank-treading";
+    return meaning;
 }
 
 DisplayUnit display_unit(const std::string& si_unit) {

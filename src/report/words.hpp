@@ -17,6 +17,9 @@ std::string unfinished_note(const Results& run);
 /// Where the numerics were changed after a blow-up; empty for a run that is the same all through.
 std::string changes_note(const Results& run);
 
+/// What a quantity of the summary means; empty if it is none.
+std::string meaning_of_quantity(const std::string& name);
+
 /// A number with its unit as a person of the field writes it: µm, ms, mm/s, mPa s; `digits`
 /// significant digits.
 struct DisplayUnit {

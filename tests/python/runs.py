@@ -42,6 +42,22 @@ class Runs(unittest.TestCase):
         whole = tanktread.run(self.case, self.folder / "run", set=QUICK)
         self.assertEqual(whole.status["status"], "done")
 
+    def test_a_sweep_gives_a_table_and_its_runs(self):
+        sweep = tanktread.sweep(self.case, self.folder / "G", set=QUICK, jobs=2,
+                                over={"cells.cytoplasm_viscosity": ["1.2 cP", "6 cP"], ("cells.radius", "cells.angle"): [("4 um", "0 deg"), ("5 um", "30 deg")]})
+        self.assertEqual([run.ending for run in sweep.runs], ["done"] * 4)
+        self.assertEqual(sweep[1].values, {"cells.cytoplasm_viscosity": "1.2 cP", "cells.radius": "5 um", "cells.angle": "30 deg"})
+        table = sweep.table
+        self.assertEqual((len(table), table.units["cells.radius"]), (4, "m"))
+        self.assertEqual(list(table["cells.radius"]), [4e-6, 5e-6, 4e-6, 5e-6])
+        self.assertEqual(table["lambda_C"][3], sweep[3].results.estimate("lambda_C").value)
+        self.assertEqual(table.to_pandas()["ending"][0], "done")
+        self.assertEqual(sweep.failed, [])
+        again = tanktread.Sweep(tanktread.sweep(self.folder / "G", self.folder / "G").directory)
+        self.assertEqual(len(again), 4)
+        with self.assertRaisesRegex(tanktread.BadCase, "did you mean 'radius'"):
+            tanktread.sweep(self.case, self.folder / "H", set=QUICK, over={"cells.raduis": ["4 um", "5 um"]})
+
     def test_faults_are_exceptions_with_the_programs_message(self):
         with self.assertRaisesRegex(tanktread.BadCase, "drive") as told:
             tanktread.run(self.case, self.folder / "run", set={**QUICK, "flow.drive": "pull", "cells.raduis": "4 um"})

@@ -227,8 +227,8 @@ int count(const std::string& text, const std::string& part) {
 TEST_F(FailingRun, is_shown_on_the_page_with_the_place_marked) {
     request.name = "<b>&";
     const SimulationError error = fail();
-    const std::string section = failure_section(read_results(request.directory), "<b>&");
-    EXPECT_NE(section.find("<h2>Why &lt;b&gt;&amp; failed</h2>"), std::string::npos) << section;
+    const std::string section = failure_section(read_results(request.directory), "<b>&", "failure");
+    EXPECT_NE(section.find("Why &lt;b&gt;&amp; failed</a></h2>"), std::string::npos) << section;
     EXPECT_NE(section.find("unstable at step"), std::string::npos);
     EXPECT_EQ(count(section, "<svg"), 2) << "all of the box, and what is near";
     EXPECT_EQ(count(section, "class=\"failing\""), 2);
@@ -246,7 +246,7 @@ TEST_F(FailingRun, with_numbers_that_are_not_finite_is_told_all_the_same) {
     EXPECT_TRUE(fs::exists(failure("failure.json")));
     EXPECT_EQ(FramesReader(failure("frames.h5")).count(), 2);
     EXPECT_TRUE(read_json(failure("failure.json"))["value"].is_null());
-    const std::string section = failure_section(read_results(request.directory), "small");
+    const std::string section = failure_section(read_results(request.directory), "small", "failure");
     EXPECT_EQ(count(section, "<svg"), 2);
     EXPECT_EQ(section.find("nan", section.find("<svg")), std::string::npos) << section;
 }

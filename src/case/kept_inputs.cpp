@@ -1,0 +1,35 @@
+#include "case/kept_inputs.hpp"
+
+#include <algorithm>
+
+namespace tt {
+
+namespace fs = std::filesystem;
+
+std::vector<InputFile> kept_inputs(const fs::path& case_file, const std::string& text,
+                                   const std::vector<const Case*>& cases) {
+    std::vector<InputFile> files{{"inputs/" + case_file.filename().string(), text}};
+    const fs::path folder = fs::absolute(case_file).parent_path();
+    const auto keep = [&](const fs::path& file, const std::string& bytes) {
+        const fs::path beside = file.lexically_relative(folder);
+        const bool inside = !beside.empty() && *beside.begin() != "..";
+        const std::string name = "inputs/" + (inside ? beside : file.filename()).string();
+        const auto same = [&](const InputFile& other) { return other.name == name; };
+        if (std::none_of(files.begin(), files.end(), same)) files.push_back({name, bytes});
+    };
+    for (const Case* c : cases) {
+        const auto* shape = std::get_if<OutlineShape>(&c->cells.shape);
+        if (shape && shape->outline) keep(shape->file, shape->outline->bytes);
+        const auto* drawn = std::get_if<DrawnShape>(&c->geometry.shape);
+        if (drawn && !drawn->file.empty()) keep(drawn->file, drawn->bytes);
+    }
+    return files;
+}
+
+fs::path find_case(const fs::path& folder, const std::string& named) {
+    const fs::path given = (folder / named).lexically_normal();
+    const fs::path copy = folder / "inputs" / given.filename();
+    return !fs::exists(given) && fs::exists(copy) ? copy : given;
+}
+
+}  // namespace tt
