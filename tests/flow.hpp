@@ -8,7 +8,7 @@
 #include "exchange/periodic.hpp"
 #include "fluid/collide_stream.hpp"
 #include "fluid/collision/collision.hpp"
-#include "fluid/edges.hpp"
+#include "fluid/borders.hpp"
 
 namespace tt {
 
@@ -49,14 +49,14 @@ struct Flow {
 
     void run(long long steps) {
         Periodic exchange;
-        Edges<> edges;
-        if (boundaries.walls) edges = {*boundaries.walls, populations};
+        Borders<> borders;
+        if (boundaries.walls) borders = {*boundaries.walls, populations};
         ports.resize(boundaries.ports.size());
         for (long long step = 0; step < steps; ++step) {
             collide_and_stream(equilibrium, boundaries, body_force, force, relaxation, populations,
                                velocity);
             settle(exchange, populations, [&] {
-                return edges.apply(equilibrium, boundaries, velocity, populations, ports);
+                return borders.apply(equilibrium, boundaries, velocity, populations, ports);
             });
         }
     }

@@ -122,10 +122,11 @@ void judge_box(const TomlNode& root, Reader<Case>& reader, const Case& c, const 
         if (header && !header->origin.empty()) fault = {header->origin, 0, 0, {}};
         fault.message =
             fmt::format("{} is missing from [domain]; write {} = \"{}\"", key, key, example);
-        reader.faults.push_back(std::move(fault));
+        // Before those of the tables below it.
+        reader.faults.insert(reader.faults.begin(), std::move(fault));
     };
-    missing("length", c.domain.length, "80 um");
     missing("width", c.domain.width, "20 um");
+    missing("length", c.domain.length, "80 um");
 }
 
 /// Length and width of a network, into the case. Returns what contradicts them.

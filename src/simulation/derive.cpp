@@ -29,7 +29,7 @@ void derive(const Model& model, Sites<Real>& sites, State& state) {
     const Walls* const walls = model.boundaries.walls.get();
     const double push = state.drive.body_force;
     fill_velocity(sites.populations, {push, model.drive.lean * push}, walls, sites.velocity);
-    sites.edges = walls ? Edges<Real>(*walls, sites.populations) : Edges<Real>();
+    sites.borders = walls ? Borders<Real>(*walls, sites.populations) : Borders<Real>();
     state.ports.resize(model.boundaries.ports.size());
     sites.relaxation = Relaxation<Real>(lattice);
     sites.stencils = Stencils<Real>(state.cells.node_count());

@@ -10,7 +10,7 @@
 #include "fluid/moments.hpp"
 #include "fluid/populations.hpp"
 #include "fluid/relaxation.hpp"
-#include "fluid/edges.hpp"
+#include "fluid/borders.hpp"
 #include "interaction/contact.hpp"
 #include "membrane/suspension.hpp"
 #include "simulation/exits.hpp"
@@ -25,7 +25,7 @@ struct Sites {
     VectorField<Real> velocity;  ///< of the fluid; within a step at first the force on it
     Relaxation<Real> relaxation;
     Stencils<Real> stencils;
-    Edges<Real> edges;      ///< walls of any shape, and ports
+    Borders<Real> borders;  ///< walls of any shape, and ports
     CutStencils<Real> cut;  ///< of the nodes beside them
 
     Sites() = default;

@@ -7,7 +7,7 @@
 #include "exchange/periodic.hpp"
 #include "fluid/collide_stream.hpp"
 #include "fluid/collision/collision.hpp"
-#include "fluid/edges.hpp"
+#include "fluid/borders.hpp"
 
 namespace tt {
 namespace {
@@ -21,7 +21,7 @@ struct Settling {
     VectorField<> no_force, velocity;
     Relaxation<> relaxation;
     Populations<> populations;
-    Edges<> edges;
+    Borders<> borders;
     std::vector<PortFlow> ports;
     Periodic exchange;
     Vec2 push;  ///< the force
@@ -31,7 +31,7 @@ struct Settling {
           velocity(walls.lattice),
           relaxation(walls.lattice),
           populations(walls.lattice),
-          edges(walls, populations),
+          borders(walls, populations),
           push(force * direction) {
         boundaries.walls = std::shared_ptr<const Walls>(std::shared_ptr<void>(), &walls);
         const Rates rates = Trt{}.rates(viscosity);
@@ -51,7 +51,7 @@ struct Settling {
         collide_and_stream(LinearEquilibrium{}, boundaries, push, no_force, relaxation, populations,
                            velocity);
         settle(exchange, populations, [&] {
-            return edges.apply(LinearEquilibrium{}, boundaries, velocity, populations, ports);
+            return borders.apply(LinearEquilibrium{}, boundaries, velocity, populations, ports);
         });
         team_barrier();
     }

@@ -13,7 +13,7 @@
 #include "exchange/periodic.hpp"
 #include "fluid/collide_stream.hpp"
 #include "fluid/collision/collision.hpp"
-#include "fluid/edges.hpp"
+#include "fluid/borders.hpp"
 
 namespace tt {
 namespace {
@@ -113,14 +113,14 @@ template <class Real>
 void run(Scene<Real>& s, int steps, int threads) {
     VectorField<Real> velocity(s.populations.lattice());
     Periodic exchange;
-    Edges<Real> edges(*s.boundaries.walls, s.populations);
+    Borders<Real> borders(*s.boundaries.walls, s.populations);
     s.ports.resize(s.boundaries.ports.size());
     with_team(threads, [&] {
         for (int step = 0; step < steps; ++step) {
             collide_and_stream(s.equilibrium, s.boundaries, {1e-4, 2e-4}, s.force, s.relaxation,
                                s.populations, velocity);
             settle(exchange, s.populations, [&] {
-                return edges.apply(s.equilibrium, s.boundaries, velocity, s.populations, s.ports);
+                return borders.apply(s.equilibrium, s.boundaries, velocity, s.populations, s.ports);
             });
             team_barrier();
         }

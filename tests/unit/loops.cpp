@@ -28,16 +28,16 @@ TEST(Loops, either_way_round_and_within_each_other_take_turns) {
     std::reverse(turned.begin(), turned.end());
     const Loop hole{{3.2, 3.2}, {5.2, 3.2}, {5.2, 5.2}, {3.2, 5.2}};
     for (const Loop& loop : {square, turned}) {
-        const Walls walls = make_walls({{loop}, {}, false, 12, 10}, {12, 10, false});
+        const Walls walls = make_walls({{loop}, false, 12, 10}, {12, 10, false});
         EXPECT_EQ(walls.open_sites(), 120 - 16);
-        const Walls ring = make_walls({{loop, hole}, {}, true, 12, 10}, {12, 10, false});
+        const Walls ring = make_walls({{loop, hole}, true, 12, 10}, {12, 10, false});
         EXPECT_EQ(ring.open_sites(), 16 - 4);
     }
 }
 
 TEST(Walls, of_no_thickness_let_nothing_through) {
     // A plate of a tenth of a site across a box that is periodic along y.
-    const Solid solid{{{{-1, 4.95}, {13, 4.95}, {13, 5.05}, {-1, 5.05}}}, {}, false, 0.0, 10.0};
+    const Solid solid{{{{-1, 4.95}, {13, 4.95}, {13, 5.05}, {-1, 5.05}}}, false, 0.0, 10.0};
     const Walls walls = make_walls(solid, {12, 10, false});
     EXPECT_GT(walls.remarks.closed, 0);
     for (int i = 0; i < 12; ++i) EXPECT_FALSE(walls.is_open(i, 4) && walls.is_open(i, 5)) << i;
@@ -46,12 +46,12 @@ TEST(Walls, of_no_thickness_let_nothing_through) {
 TEST(Walls, pockets_are_closed_and_parts_counted) {
     const Loop box{{1, 1}, {59, 1}, {59, 9}, {1, 9}};
     const Loop pocket{{61.1, 4.1}, {62.9, 4.1}, {62.9, 5.9}, {61.1, 5.9}};
-    const Walls walls = make_walls({{box, pocket}, {}, true, 0, 0}, {70, 10, true});
+    const Walls walls = make_walls({{box, pocket}, true, 0, 0}, {70, 10, true});
     EXPECT_EQ(walls.remarks.parts, 1);
     EXPECT_EQ(walls.open_sites(), 58 * 8);
     EXPECT_EQ(walls.remarks.pockets, 4);
     const Loop other{{61, 1}, {69, 1}, {69, 9}, {61, 9}};
-    EXPECT_EQ(make_walls({{box, other}, {}, true, 0, 0}, {70, 10, true}).remarks.parts, 2);
+    EXPECT_EQ(make_walls({{box, other}, true, 0, 0}, {70, 10, true}).remarks.parts, 2);
 }
 
 TEST(Loops, of_a_text_are_parted_by_empty_lines_and_faults_have_their_line) {

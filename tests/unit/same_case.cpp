@@ -59,6 +59,12 @@ void change_each(const Case& c, const std::string& path, const Of& of, const See
         };
         if constexpr (TomlTable<T>) {
             change_each<T>(c, key + ".", deeper, see);
+        } else if constexpr (is_named_tables<T>) {
+            Case changed = c;
+            deeper(changed).emplace_back().name = "one";
+            for_each_field<item_type<T>>([&](const auto& own) {
+                see(key + ".one." + std::string(own.key), changed);
+            });
         } else {
             Case changed = c;
             change(deeper(changed));

@@ -14,12 +14,12 @@ namespace tt {
 /// What answers a pass of `collide_and_stream` where the walls are of any shape: their links, and
 /// the ports in them. Nothing in a straight channel.
 template <class Real = double>
-struct Edges {
+struct Borders {
     WallLinks<Real> links;
     Ports<Real> ports;
 
-    Edges() = default;
-    Edges(const Walls& walls, const Populations<Real>& populations)
+    Borders() = default;
+    Borders(const Walls& walls, const Populations<Real>& populations)
         : links(walls, populations), ports(walls, populations) {}
 
     /// After a pass, whose velocity is `velocity`, in the phase that the populations still have.
