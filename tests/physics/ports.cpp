@@ -159,8 +159,9 @@ TEST(Networks, flow_of_plasma_through_a_fork) {
     const auto by_lower = conductances("/cases/07-fork", "fork.csv", fork, 1, "0.5 um");
     EXPECT_NEAR(by_lower[1] / reference(start + "lower when dp is at the lower port,um^2,"), 1.0,
                 0.005);
+    // An eighth of what comes in: as much of it is 0.1 % of the whole.
     EXPECT_NEAR(by_lower[2] / reference(start + "upper when dp is at the lower port,um^2,"), 1.0,
-                0.005);
+                0.008);
 }
 
 // Its corners are singular: any scheme is of first order there, and 40 sites across give 0.6 %.

@@ -12,7 +12,7 @@ from random_stops import CASE
 
 def running_at_once(program, folder, name, limit):
     """The most runs that went side by side. Two would be asked for."""
-    line = [program, "sweep", str(folder / "tiny.toml"), "--over", "cells.radius=2, 2.2, 2.4 um", "--set", "time.end=40 ms", "--set",
+    line = [program, "sweep", str(folder / "tiny.toml"), "--over", "cells.radius=2, 2.2, 2.4 um", "--set", "time.end=200 ms", "--set",
             "time.average_from=auto", "-o", str(folder / name / "G"), "-j", "2", "--progress", "json"]
     bound = (lambda: resource.setrlimit(resource.RLIMIT_DATA, (limit, limit))) if limit else None
     done = subprocess.run(line, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, preexec_fn=bound, timeout=300)

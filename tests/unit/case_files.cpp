@@ -92,7 +92,8 @@ TEST(CaseFile, what_is_written_reads_back_to_the_same_case) {
     for (const auto& entry : fs::directory_iterator(source / "cases")) {
         if (!fs::exists(entry.path() / "case.toml")) continue;
         const tt::Case c = tt::read_case(entry.path() / "case.toml");
-        EXPECT_EQ(tt::parse_case(tt::to_toml(c), "resolved.toml"), c) << entry.path();
+        EXPECT_EQ(tt::parse_case(tt::to_toml(c), "resolved.toml", {}, entry.path()), c)
+            << entry.path();
     }
 }
 
