@@ -1,6 +1,7 @@
 #include "app/check_json.hpp"
 
 #include "case/cell_outline.hpp"
+#include "case/port_figures.hpp"
 
 namespace tt {
 namespace {
@@ -40,6 +41,15 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
                       {"wall_distance_sites", a.wall_distance},
                       {"largest_stretch", a.start_stretch}};
     if (c.cells.outline()) j["outline"] = to_json(*c.cells.outline());
+    for (std::size_t n = 0; n < c.ports.size(); ++n) {
+        const PortFigures port = figures_of(c, choice, n);
+        j["ports"].push_back({{"name", c.ports[n].name},
+                              {"width_m", port.width.si},
+                              {"pressure_Pa", port.pressure.si},
+                              {"flow_rate_m2_per_s", port.flow_rate.si},
+                              {"mean_velocity_m_per_s", port.mean_velocity.si}});
+    }
+    if (c.network()) j["late_answer_s"] = late_answer(choice).si;
     j["relaxation_time_plasma"] = a.tau_plasma;
     j["relaxation_time_largest"] = a.tau_cytoplasm;
     j["density_scale"] = choice.density_scale;

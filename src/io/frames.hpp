@@ -30,6 +30,9 @@ struct FramesHeader {
     /// + 1] of loop w; solid is what an odd number of loops goes around. Datasets; absent without.
     std::vector<double> walls;
     std::vector<std::int32_t> wall_first;
+    /// x, y [m] of the corner of the box in the coordinates of the drawing; dataset, absent where
+    /// they are the same.
+    std::vector<double> origin;
     bool compressed = false;  ///< of frames to be written
 };
 

@@ -29,6 +29,10 @@ void examine(const FramesHeader& header) {
     const bool walls_sound =
         wall.empty() || (wall.front() == 0 && std::is_sorted(wall.begin(), wall.end()) &&
                          header.walls.size() == 2 * static_cast<std::size_t>(wall.back()));
+    const bool place_sound =
+        header.origin.empty() || (header.origin.size() == 2 && std::isfinite(header.origin[0]) &&
+                                  std::isfinite(header.origin[1]));
+    hdf5::expect(place_sound, "make sense of", "the origin of the frames");
     hdf5::expect(walls_sound, "make sense of", "the walls of the frames");
     hdf5::expect(sound, "make sense of", "the header of the frames");
 }
@@ -64,6 +68,8 @@ void write_header(hid_t file, const FramesHeader& header, Kind kind) {
         hdf5::write_dataset(file, "walls", {header.walls.size() / 2, 2}, header.walls, "m");
         hdf5::write_dataset(file, "wall_first", header.wall_first);
     }
+    if (!header.origin.empty())
+        hdf5::write_dataset(file, "origin", {header.origin.size()}, header.origin, "m");
     hdf5::create_group(file, "frames");
 }
 
@@ -85,6 +91,8 @@ FramesHeader read_header(hid_t file) {
         header.walls = hdf5::read_dataset<double>(file, "walls").values;
         header.wall_first = hdf5::read_dataset<std::int32_t>(file, "wall_first").values;
     }
+    if (hdf5::exists(file, "origin"))
+        header.origin = hdf5::read_dataset<double>(file, "origin").values;
     examine(header);
     return header;
 }

@@ -83,6 +83,9 @@ FramesHeader frames_header(const Model& model, const State& state, const std::st
     header.width = model.lattice.ny * model.scales.length;
     header.nx = model.lattice.nx;
     header.ny = model.lattice.ny;
+    if (model.origin != Vec2{})
+        for (const double coordinate : {model.origin.x, model.origin.y})
+            header.origin.push_back(coordinate * model.scales.length);
     const AllCells all = all_cells(state);
     header.first = all.first;
     if (const Walls* walls = model.boundaries.walls.get()) {

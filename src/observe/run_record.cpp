@@ -62,7 +62,7 @@ Standing RunRecord::standing(const State& state, std::int64_t checkpoint_step) {
     now.end = request_.end.si;
     now.wall_seconds = wall_seconds();
     now.steps_per_second = at_end ? pace_->mean_rate(state.step) : pace_->steps_per_second();
-    now.mlups = now.steps_per_second * model_.lattice.nx * model_.lattice.ny * 1e-6;
+    now.mlups = now.steps_per_second * model_.open_area() * 1e-6;
     now.seconds_left =
         at_end ? 0.0 : static_cast<double>(steps_ - state.step) / now.steps_per_second;
     now.lambda_C = mean_extension(state.cells);
@@ -113,7 +113,7 @@ SummaryInput RunRecord::summary_input(const State& state, const StepTimes& step_
     input.shear_number = request_.shear_number;
     input.wall_seconds = wall_seconds();
     const double rate = static_cast<double>(steps_) / input.wall_seconds;
-    input.mlups = rate * model_.lattice.nx * model_.lattice.ny * 1e-6;
+    input.mlups = rate * model_.open_area() * 1e-6;
     input.cell_steps_per_second = rate * state.cells.cell_count();
     input.steps = steps_;
     input.threads = model_.threads;

@@ -86,7 +86,7 @@ std::string outlines_text(const FramesHeader& grid, const Frame& frame) {
 struct PanelGrid {
     int columns, rows;
     double panel_width, panel_height;
-    static constexpr double left = 48, right = 14, gap_x = 26, gap_y = 24, bottom = 88, top = 20;
+    static constexpr double left = 54, right = 14, gap_x = 26, gap_y = 24, bottom = 88, top = 20;
     int width() const {
         return static_cast<int>(
             std::ceil(left + right + columns * panel_width + (columns - 1) * gap_x));
@@ -183,8 +183,13 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
     if (layout.columns > 1)
         body += fmt::format("set xtics {:g}\nset ytics {:g}\n", round_step(grid.length * 1e6),
                             round_step(grid.width * 1e6));
-    body += fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]\nset cbrange [0:{:.4g}]\n",
-                        grid.length * 1e6, grid.width * 1e6, std::max(fastest * factor, 1e-9));
+    // The corner of the box [um].
+    const double left = grid.origin.empty() ? 0.0 : grid.origin[0] * 1e6;
+    const double low = grid.origin.empty() ? 0.0 : grid.origin[1] * 1e6;
+    const std::string place = fmt::format("($1+({:.8g})):($2+({:.8g}))", left, low);
+    body += fmt::format(
+        "set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset cbrange [0:{:.4g}]\n", left,
+        left + grid.length * 1e6, low, low + grid.width * 1e6, std::max(fastest * factor, 1e-9));
     if (!grid.wall_first.empty()) {  // where there is no speed, in walls, the ground shows
         write_text(out / "walls.dat", walls_text(grid));
         body +=
@@ -211,18 +216,19 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
                           7.0 / layout.height(), slow ? "μm/s" : "mm/s");
         const double block = grid.dx * maps[index].stride * 1e6;
         body += fmt::format(
-            "plot \"{0}_speed.dat\" matrix using (({1:.8g})*($1+0.5)):(({1:.8g})*($2+0.5)):3 with "
-            "image",
-            stem, block);
+            "plot \"{0}_speed.dat\" matrix using "
+            "({2:.8g}+({1:.8g})*($1+0.5)):({3:.8g}+({1:.8g})*($2+0.5)):3 with image",
+            stem, block, left, low);
         if (!grid.wall_first.empty())
-            body += ", \\\n     \"walls.dat\" using 1:2 with lines lc rgb \"#4a4a4a\" lw 0.7";
+            body += fmt::format(
+                ", \\\n     \"walls.dat\" using {} with lines lc rgb \"#4a4a4a\" lw 0.7", place);
         if (grid.first.back() > 0)
             body += fmt::format(
-                ", \\\n     \"{0}_cells.dat\" using 1:2 with filledcurves closed fc rgb "
+                ", \\\n     \"{0}_cells.dat\" using {1} with filledcurves closed fc rgb "
                 "\"#c8372d\" fillstyle "
-                "transparent solid 0.8 noborder, \\\n     \"\" using 1:2 with lines lc rgb "
+                "transparent solid 0.8 noborder, \\\n     \"\" using {1} with lines lc rgb "
                 "\"#5c0d08\" lw 0.7",
-                stem);
+                stem, place);
         body += "\n";
     }
     body += "unset multiplot";

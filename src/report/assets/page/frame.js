@@ -16,20 +16,23 @@ const frame = (() => {
 
   function axes(context, panel) {
     const perMicron = panel.perMetre * 1e-6, { x, y, width, height } = panel, bottom = y + height;
+    const [left, low] = panel.run.player.origin.map((metres) => metres * 1e6);
     const across = tickStep(perMicron, 58), up = tickStep(perMicron, Math.min(Math.max(height / 2, 24), 40));
     context.strokeStyle = context.fillStyle = theme.now().ink;
     context.lineWidth = 1;
     context.strokeRect(x, y, width, height);
     context.beginPath();
-    for (let v = 0; v * perMicron <= width + 0.5; v += across) {
-      context.moveTo(x + v * perMicron, bottom);
-      context.lineTo(x + v * perMicron, bottom + 5);
-      text(context, number(v), x + v * perMicron, bottom + 13, "center");
+    for (let v = Math.ceil(left / across) * across; (v - left) * perMicron <= width + 0.5; v += across) {
+      const at = x + (v - left) * perMicron;
+      context.moveTo(at, bottom);
+      context.lineTo(at, bottom + 5);
+      text(context, number(v), at, bottom + 13, "center");
     }
-    for (let v = 0; v * perMicron <= height + 0.5; v += up) {
-      context.moveTo(x, bottom - v * perMicron);
-      context.lineTo(x - 5, bottom - v * perMicron);
-      text(context, number(v), x - 8, bottom - v * perMicron, "right");
+    for (let v = Math.ceil(low / up) * up; (v - low) * perMicron <= height + 0.5; v += up) {
+      const at = bottom - (v - low) * perMicron;
+      context.moveTo(x, at);
+      context.lineTo(x - 5, at);
+      text(context, number(v), x - 8, at, "right");
     }
     context.stroke();
     text(context, "x [µm]", x + width / 2, bottom + 29, "center");
