@@ -84,9 +84,10 @@ Edges Pressing::edges_of(int cell) const {
 }
 
 /// Point of the outline in the cell's own frame.
-Vec2 Pressing::at(const std::vector<Vec2>& bend, int point) const {
+Vec2 Pressing::at(const Cell& cell, int point) const {
     const int k = wrapped(point, points_);
-    return bend.empty() ? scale_ * shape_[k] : scale_ * shape_[k] + bend[k];
+    const Vec2 place = scale_of(cell) * shape_[k];
+    return cell.bend.empty() ? place : place + cell.bend[k];
 }
 
 /// Sets the outline of a cell from its place.
@@ -97,7 +98,7 @@ void Pressing::draw(int c) {
     cell.low = {HUGE_VAL, HUGE_VAL};
     cell.high = {-HUGE_VAL, -HUGE_VAL};
     for (int k = 0; k < points_; ++k) {
-        const Vec2 own = at(cell.bend, k);
+        const Vec2 own = at(cell, k);
         cell.low = {std::min(cell.low.x, own.x), std::min(cell.low.y, own.y)};
         cell.high = {std::max(cell.high.x, own.x), std::max(cell.high.y, own.y)};
         const Vec2 p = cell.centre + turned(cell.axis, own);
@@ -161,6 +162,7 @@ double Pressing::visit(int c) {
         find_wall_pushes(c);
         yield(c, 1.0);
     }
+    cell.pressed = deepest_;
     if (deepest_ < rest * gap_ && cell.bend.empty()) return deepest_;
     const double most = longest_step * scale_ * reach_, length = norm(step_);
     cell.centre += (length > most ? most / length : 1.0) * step_;
@@ -239,7 +241,8 @@ void Pressing::yield(int cell, double share) {
     const double size2 = dot(move, move);
     if (!(size2 > 0.0)) return;
     const double moment = cross(point, move) / (total * total);
-    const double inertia = scale_ * scale_ * gyration2_;
+    const double scale = scale_of(cells_[cell]);
+    const double inertia = scale * scale * gyration2_;
     const double arm2 = moment * moment * total * total / size2;
     step_ += share / (1.0 + arm2 / inertia) / total * move;
     turn_ += share * moment / (inertia + arm2);
@@ -257,6 +260,7 @@ bool Pressing::grow_from(double scale, const Watch& watch) {
     for (int waited = 0;;) {
         const double deepest = sweep();
         if (watch) watch(scale_ * scale_);
+        if (shrunk_ > 0 && grow_anew()) continue;
         const double allowed =
             tolerance * gap_ + (scale_ < 1.0 ? growing_overlap * scale_ * thickness_ : 0.0);
         if (deepest <= allowed) {
@@ -264,7 +268,7 @@ bool Pressing::grow_from(double scale, const Watch& watch) {
             scale_by(growth_step());
             waited = 0;
         } else if (++waited > patience) {
-            if (!soften()) return false;
+            if (!soften() && (scale_ < 1.0 || !shrink_stuck())) return false;
             waited = 0;
         }
     }

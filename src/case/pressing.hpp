@@ -45,6 +45,8 @@ private:
         Vec2 centre;
         Vec2 axis;                               ///< cosine and sine of its angle
         std::vector<Vec2> bend;                  ///< as in Placement; empty: rigid
+        double size = 1.0;                       ///< of the others; less where it grows anew
+        double pressed = 0.0;                    ///< how deep it was when it was last looked at
         Vec2 low, high;                          ///< of its outline, in its own frame
         std::int64_t stirred = 0, visited = -1;  ///< sweeps when it last moved, was looked at
     };
@@ -63,10 +65,13 @@ private:
     void dent(int cell, const Push& push);
     void bend(int cell);
     void spring_back(std::vector<Vec2>& bend) const;
-    void hold_lengths(std::vector<Vec2>& bend) const;
+    void hold_lengths(Cell& cell) const;
     void hand_over_motion(Cell& cell) const;
-    void hold_area(std::vector<Vec2>& bend) const;
-    Vec2 at(const std::vector<Vec2>& bend, int point) const;
+    void hold_area(Cell& cell) const;
+    double scale_of(const Cell& cell) const { return scale_ * cell.size; }
+    Vec2 at(const Cell& cell, int point) const;
+    bool shrink_stuck();
+    bool grow_anew();
     bool soften();
     double growth_step() const;
     bool grow_from(double scale, const Watch& watch);
@@ -81,6 +86,7 @@ private:
     double scale_ = 1.0;
     double spring_ = 1.0;  ///< share by which a bent outline springs back a sweep; 1: rigid
     std::int64_t sweeps_ = 0, visits_ = 0;
+    int shrunk_ = 0;  ///< how often stuck cells were made to grow anew
 
     std::vector<Cell> cells_;
     std::vector<double> x_, y_, edge_x_, edge_y_, inverse_;  ///< of all outlines, as in Edges

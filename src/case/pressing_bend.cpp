@@ -5,13 +5,15 @@
 #include "case/turning.hpp"
 #include "membrane/shapes.hpp"
 
-// How a cell that is pressed bends.
+// How a cell that is pressed bends, and grows anew where that is not enough.
 
 namespace tt {
 namespace {
 
 /// The softest that cells become before they are found not to fit.
 constexpr double softest = 5e-4;
+/// Share of the gap by which neighbours may come nearer at the end.
+constexpr double near_enough = 0.5;
 
 }  // namespace
 
@@ -31,9 +33,9 @@ void Pressing::bend(int c) {
     if (cell.bend.empty()) cell.bend.resize(points_);
     for (int k = 0; k < points_; ++k) cell.bend[k] += 0.5 / std::max(1.0, weights_[k]) * dents_[k];
     spring_back(cell.bend);
-    hold_lengths(cell.bend);
+    hold_lengths(cell);
     hand_over_motion(cell);
-    hold_area(cell.bend);
+    hold_area(cell);
 }
 
 /// Towards the shape at rest, and towards the neighbouring points.
@@ -48,12 +50,13 @@ void Pressing::spring_back(std::vector<Vec2>& bend) const {
     }
 }
 
-void Pressing::hold_lengths(std::vector<Vec2>& bend) const {
+void Pressing::hold_lengths(Cell& cell) const {
+    std::vector<Vec2>& bend = cell.bend;
     constexpr double share = 0.4;  // of the error, by each end
     for (int k = 0; k < points_; ++k) {
-        const Vec2 edge = at(bend, k + 1) - at(bend, k);
+        const Vec2 edge = at(cell, k + 1) - at(cell, k);
         const double length = norm(edge);
-        const double wanted = scale_ * norm(shape_[wrapped(k + 1, points_)] - shape_[k]);
+        const double wanted = scale_of(cell) * norm(shape_[wrapped(k + 1, points_)] - shape_[k]);
         const Vec2 move = share * (wanted - length) / length * edge;
         bend[wrapped(k + 1, points_)] += move;
         bend[k] -= move;
@@ -73,19 +76,21 @@ void Pressing::hand_over_motion(Cell& cell) const {
     spin /= inertia;
     for (int k = 0; k < points_; ++k) cell.bend[k] -= spin * turned_left(shape_[k]);
     cell.centre += turned(cell.axis, mean);
-    cell.axis = turned_on(cell.axis, 0.5 * spin / scale_);
+    cell.axis = turned_on(cell.axis, 0.5 * spin / scale_of(cell));
 }
 
-void Pressing::hold_area(std::vector<Vec2>& bend) const {
+void Pressing::hold_area(Cell& cell) const {
+    std::vector<Vec2>& bend = cell.bend;
     double area = 0.0, length = 0.0;
     std::vector<Vec2> normals(points_);
     for (int k = 0; k < points_; ++k) {
-        const Vec2 before = at(bend, k - 1), here = at(bend, k), after = at(bend, k + 1);
+        const Vec2 before = at(cell, k - 1), here = at(cell, k), after = at(cell, k + 1);
         area += 0.5 * cross(here, after);
         length += norm(after - here);
         normals[k] = turned_right(after - before) / norm(after - before);
     }
-    const double swell = (scale_ * scale_ * area_ - area) / length;
+    const double scale = scale_of(cell);
+    const double swell = (scale * scale * area_ - area) / length;
     for (int k = 0; k < points_; ++k) bend[k] += swell * normals[k];
 }
 
@@ -100,6 +105,37 @@ bool Pressing::soften() {
     spring_ *= 0.5;
     gap_ *= 0.8;
     return true;
+}
+
+/// Cells that cross each other never part, however soft: those that press become small, and grow
+/// anew where they are. Nothing comes of it too often.
+bool Pressing::shrink_stuck() {
+    constexpr int most = 12;
+    constexpr double small = 0.25;
+    if (++shrunk_ > most) return false;
+    for (int c = 0; c < cell_count(); ++c) {
+        if (cells_[c].pressed <= near_enough * gap_) continue;
+        cells_[c].size = small;
+        cells_[c].bend.clear();
+        draw(c);
+    }
+    return true;
+}
+
+/// One step of those that grow anew; false if none does.
+bool Pressing::grow_anew() {
+    constexpr double growth = 1.02;
+    bool any = false;
+    for (int c = 0; c < cell_count(); ++c) {
+        Cell& cell = cells_[c];
+        if (cell.size >= 1.0) continue;
+        const double factor = std::min(growth, 1.0 / cell.size);
+        cell.size = factor < growth ? 1.0 : cell.size * factor;
+        for (Vec2& p : cell.bend) p *= factor;
+        draw(c);
+        any = true;
+    }
+    return any;
 }
 
 }  // namespace tt

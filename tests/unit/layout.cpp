@@ -121,6 +121,17 @@ TEST(RandomLayout, takes_work_in_proportion_to_the_number_of_cells) {
     EXPECT_LT(visits(800), 50.0);
 }
 
+/// Cells that came to cross each other while they were small never part by bending. They grow anew,
+/// and no others.
+TEST(RandomLayout, cells_that_cross_each_other_grow_anew) {
+    const std::vector<Vec2> shape = biconcave(5.4, 18);
+    const Lattice box{120, 120, true};
+    const int count = static_cast<int>(0.75 * 120 * 120 / area_of(shape));
+    const RandomLayout layout = lay_at_random(shape, count, {box, nullptr}, 1);
+    EXPECT_GE(layout.scale, 1.0);
+    EXPECT_LT(static_cast<double>(layout.visits) / count, 3000.0);
+}
+
 TEST(RandomLayout, says_what_fits_where_there_is_no_room) {
     const std::vector<Vec2> shape = circle(30.0, 63);
     const Lattice box{200, 100, true};
