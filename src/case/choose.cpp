@@ -213,7 +213,14 @@ void choose_walls(const Case& c, Choice& choice) {
     expect_sites(c, choice, most, "can be had between walls of any shape");
     const Solid solid = scaled(moved(solid_of(c), -choice.origin), 1.0 / choice.dx.si);
     auto walls = std::make_shared<const Walls>(make_walls(solid, lattice_of(c, choice)));
-    if (const auto messages = faults_of(*walls, choice.dx.si); !messages.empty()) {
+    std::vector<std::string> messages = faults_of(*walls, choice.dx.si);
+    for (std::size_t n = 0; n < walls->openings.size(); ++n)
+        if (walls->openings[n].width == 0)
+            messages.push_back(
+                fmt::format("[port.{}] no fluid lies beside it on the grid; write a "
+                            "smaller dx, or draw a wider channel there",
+                            c.ports[n].name));
+    if (!messages.empty()) {
         std::vector<Fault> faults;
         for (const std::string& message : messages) faults.push_back({"", 0, 0, message});
         throw CaseError(std::move(faults));

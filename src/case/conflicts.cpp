@@ -122,6 +122,10 @@ void judge_port(Judge& judge, const Case& c, const PortCase& port) {
 void judge_ports(Judge& judge, const Case& c) {
     if (!c.network()) return;
     for (const PortCase& port : c.ports) judge_port(judge, c, port);
+    const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape);
+    if (drawn && drawn->fluid == Side::outside)
+        judge.tell({"geometry.fluid"},
+                   "fluid = \"outside\" has no channels between ports; write fluid = \"inside\"");
     const std::string first = "port." + c.ports.front().name;
     if (c.ports.size() < 2)
         judge.tell({first},
