@@ -18,7 +18,7 @@ import time
 from random_stops import CASE
 
 program, engine = sys.argv[1:]
-END = {"limit": "time.end=1200 ms", "slurm": "time.end=240 ms", "parallel": "time.end=60 ms"}[engine]
+END = {"limit": "time.end=1200 ms", "slurm": "time.end=240 ms", "parallel": "time.end=240 ms"}[engine]
 SLURM_CONF = """ClusterName=test
 SlurmctldHost={host}(127.0.0.1)
 SlurmUser=root
