@@ -180,12 +180,15 @@ def charts_follow(page):
 
 
 def saved(page, folder, ending, within):
-    """The file that comes, once the page has told of it."""
-    until = time.monotonic() + within
+    """The file that comes, once all of it is there: the browser writes it piece by piece."""
+    until, before = time.monotonic() + within, b""
     while time.monotonic() < until:
         for path in folder.glob("*." + ending):
-            return path.read_bytes()
-        time.sleep(0.05)
+            now = path.read_bytes()
+            if now and now == before:
+                return now
+            before = now
+        time.sleep(0.3)
     note = page.run("element('save-note').textContent")
     raise AssertionError(f"no {ending} came in {within} s; the page says '{note}', {[p.name for p in folder.iterdir()]} {page.complaints}")
 
