@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/calibration.hpp"
+#include "app/calibration_directory.hpp"
 #include "app/option_values.hpp"
 #include "base/tell.hpp"
 #include "app/run_pool.hpp"
@@ -43,47 +44,6 @@ struct CalibrateOptions {
 
 /// To four digits, so that what is run is what a case file will say.
 double rounded(double value) { return parse_measure(fmt::format("{:.4g}", value)).si; }
-
-/// The directory of a calibration: held by one process, and only ever added to.
-class CalibrationDirectory {
-public:
-    CalibrationDirectory(const fs::path& path, const Targets& targets) : path_(path) {
-        if (fs::exists(path_ / "PROVENANCE.json"))
-            throw DirectoryInUse(
-                fmt::format("'{}' holds the results of a run; choose another directory with -o",
-                            path_.string()));
-        make_directory(path_);
-        lock_.acquire(path_);
-        std::vector<InputFile> files = targets.inputs;
-        files.push_back({"targets.toml", targets.text});
-        const auto differs = [&](const InputFile& file) {
-            return fs::exists(path_ / file.name) && read_file(path_ / file.name) != file.bytes;
-        };
-        if (std::any_of(files.begin(), files.end(), differs)) move_aside();
-        for (const InputFile& file : files) {
-            make_directory((path_ / file.name).parent_path());
-            replace_file(path_ / file.name, file.bytes, Durability::power);
-        }
-    }
-    const fs::path& path() const { return path_; }
-    const fs::path& moved_to() const { return moved_to_; }
-    void leave_to_parent() { lock_.leave_to_parent(); }
-
-private:
-    /// The answer to other targets; the runs stay, since their names tell what they are of.
-    void move_aside() {
-        int number = 1;
-        do moved_to_ = path_ / fmt::format("former-{}", number++);
-        while (fs::exists(moved_to_));
-        make_directory(moved_to_);
-        for (const char* name : {"targets.toml", "inputs", "calibration.json", "figures"})
-            if (fs::exists(path_ / name))
-                move_into_place(path_ / name, moved_to_ / name, Durability::power);
-    }
-
-    fs::path path_, moved_to_;
-    DirectoryLock lock_;
-};
 
 /// One calibration: from the targets to the pair, round by round.
 class Calibrator {

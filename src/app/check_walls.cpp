@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "base/units.hpp"
-#include "case/openings.hpp"
 #include "case/port_figures.hpp"
 #include "case/walls_of.hpp"
 
@@ -12,7 +11,6 @@ namespace {
 
 /// What each port holds, and what of it plasma alone makes.
 void print_ports(const Case& c, const Choice& choice) {
-    const std::vector<Opening> openings = port_places(c).openings;
     for (std::size_t n = 0; n < c.ports.size(); ++n) {
         const PortFigures port = figures_of(c, choice, n);
         const LatticeOpening& place = choice.walls->openings[n];

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "io/file.hpp"
+#include "observe/provenance.hpp"
 
 namespace tt {
 
@@ -35,22 +36,14 @@ SweepDirectory::SweepDirectory(const fs::path& path, const SweepPlan& plan, Star
     make_directory(path_);
     lock_.acquire(path_);
     if (start == Start::fresh && fs::exists(path_ / "sweep.toml")) {
-        const fs::path base = fs::absolute(path_ / "").parent_path();
-        int number = 1;
-        do {
-            moved_to_ = base;
-            moved_to_ += fmt::format(".{}", number++);
-        } while (fs::exists(moved_to_));
-        move_into_place(base, moved_to_, Durability::power);
+        const fs::path place = fs::is_symlink(path_) ? fs::canonical(path_) : path_;
+        moved_to_ = move_aside(path_);
         lock_.release();
-        make_directory(path_);
+        make_directory(place);
         lock_.acquire(path_);
     }
     replace_file(path_ / "sweep.toml", plan.text, Durability::power);
-    for (const InputFile& file : plan.inputs) {
-        make_directory((path_ / file.name).parent_path());
-        replace_file(path_ / file.name, file.bytes, Durability::power);
-    }
+    keep_inputs(path_, plan.inputs);
 }
 
 }  // namespace tt

@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "case/openings.hpp"
+#include "case/port_figures.hpp"
 
 namespace tt {
 
 std::vector<PortCondition> slow_ports(const Case& c, const Choice& choice, const Walls& walls) {
     const double sampled = walls.sampled_flow();
-    const std::vector<Opening> openings = port_places(c).openings;
+    const std::vector<Opening>& openings = walls.solid.openings;  // [sites]
     const double dx = choice.dx.si, viscosity = c.plasma.viscosity.si;
     std::vector<PortCondition> conditions;
     for (std::size_t n = 0; n < c.ports.size(); ++n) {
@@ -21,18 +22,16 @@ std::vector<PortCondition> slow_ports(const Case& c, const Choice& choice, const
             conditions.push_back(HeldInflow{sampled * port.flow_rate->si / dx});
         else
             conditions.push_back(HeldInflow{sampled * port.mean_velocity.value_or(Velocity{}).si *
-                                            width_of(openings[n]) / dx});
+                                            width_of(openings[n])});
     }
     return conditions;
 }
 
 Undisturbed choose_network_flow(const Case& c, Choice& choice) {
     const UndisturbedFlow& plasma = *choice.undisturbed;
-    const std::vector<Opening> openings = port_places(c).openings;
-    for (std::size_t n = 0; n < openings.size(); ++n) {
-        const double width = width_of(openings[n]);
-        const double flow = std::fabs(plasma.ports[n].inflow) * choice.dx.si;
-        const double rate = flow / choice.walls->sampled_flow() / (width * width);
+    for (std::size_t n = 0; n < c.ports.size(); ++n) {
+        const PortFigures port = figures_of(c, choice, n);
+        const double rate = std::fabs(port.mean_velocity.si) / port.width.si;
         choice.shear_rate.si = std::max(choice.shear_rate.si, rate);
     }
     choice.largest_speed = Velocity{plasma.fastest};

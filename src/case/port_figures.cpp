@@ -12,7 +12,7 @@ namespace tt {
 
 PortFigures figures_of(const Case& c, const Choice& choice, std::size_t port) {
     const UndisturbedFlow::Port& plasma = choice.undisturbed->ports[port];
-    const double width = width_of(port_places(c).openings[port]);
+    const double width = width_of(choice.walls->solid.openings[port]) * choice.dx.si;
     const double flow = plasma.inflow * choice.dx.si / choice.walls->sampled_flow();
     const double pressure =
         plasma.density * d2q9::sound_speed_squared * c.plasma.viscosity.si / choice.dx.si;

@@ -16,8 +16,8 @@ constexpr double longest_step = 0.1;
 constexpr double forth = 0.8;
 /// What outlines may overlap while they still grow, in thicknesses of the cell.
 constexpr double growing_overlap = 0.15;
-/// Share of the gap by which neighbours may come nearer at the end, and below which a cell stays.
-constexpr double tolerance = 0.5, rest = 0.05;
+/// Share of the gap below which a cell stays.
+constexpr double rest = 0.05;
 /// Sweeps without growth after which cells are stuck.
 constexpr int patience = 120;
 

@@ -41,6 +41,9 @@ public:
     std::int64_t visits() const { return visits_; }
 
 private:
+    /// Share of the gap by which neighbours may come nearer at the end.
+    static constexpr double tolerance = 0.5;
+
     struct Cell {
         Vec2 centre;
         Vec2 axis;                               ///< cosine and sine of its angle

@@ -12,8 +12,6 @@ namespace {
 
 /// The softest that cells become before they are found not to fit.
 constexpr double softest = 5e-4;
-/// Share of the gap by which neighbours may come nearer at the end.
-constexpr double near_enough = 0.5;
 
 }  // namespace
 
@@ -114,7 +112,7 @@ bool Pressing::shrink_stuck() {
     constexpr double small = 0.25;
     if (++shrunk_ > most) return false;
     for (int c = 0; c < cell_count(); ++c) {
-        if (cells_[c].pressed <= near_enough * gap_) continue;
+        if (cells_[c].pressed <= tolerance * gap_) continue;
         cells_[c].size = small;
         cells_[c].bend.clear();
         draw(c);

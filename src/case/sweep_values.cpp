@@ -61,7 +61,9 @@ private:
     }
     void read();
     double steps() const;
-    std::string step_text() const { return fmt::format("{}{}", factor_ ? "*" : "", to_text(step_)); }
+    std::string step_text() const {
+        return fmt::format("{}{}", factor_ ? "*" : "", to_text(step_));
+    }
 
     std::vector<std::string_view> parts_;
     double from_ = 0.0, to_ = 0.0, step_ = 0.0;

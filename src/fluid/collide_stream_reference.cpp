@@ -123,7 +123,7 @@ void enter_through_ports(const Walls& walls, const Equilibrium& equilibrium,
         std::vector<double> entering;
         for (const OpeningLink& link : walls.inflow) {
             if (link.opening != static_cast<int>(n)) continue;
-            const int i = link.direction, m = mirrored_direction(i, across_x);
+            const int i = link.direction, m = across_x ? d2q9::mirrored_x[i] : d2q9::mirrored_y[i];
             const int x = link.i - (across_x ? 0 : d2q9::cx[i]);
             const int y = link.j - (across_x ? d2q9::cy[i] : 0);
             const double gone = g[static_cast<std::size_t>(lattice.row_in_box(y)) * lattice.nx +

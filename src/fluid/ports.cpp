@@ -15,7 +15,7 @@ Ports<Real>::Ports(const Walls& walls, const Populations<Real>& populations) {
     for (const OpeningLink& link : walls.inflow) {
         Port& port = ports_[link.opening];
         port.across_x = walls.openings[link.opening].out_x != 0;
-        const int k = link.direction, m = mirrored_direction(k, port.across_x);
+        const int k = link.direction, m = port.across_x ? d2q9::mirrored_x[k] : d2q9::mirrored_y[k];
         const int dx = d2q9::cx[k], dy = d2q9::cy[k];
         const int tx = port.across_x ? 0 : dx, ty = port.across_x ? dy : 0;
         const auto weight = static_cast<Real>(d2q9::weight[k]);

@@ -40,7 +40,7 @@ struct PortFlow {
 ///
 /// the last where the equilibrium has inertia: uniform pressure on the opening, no velocity along
 /// it. Exact in Poiseuille flow, for any relaxation times; anti-bounce-back, which takes −g of the
-/// opposite direction, holds the shear along the opening at zero and is 3.5 % off. Where the inflow
+/// opposite direction, holds the shear along the opening at zero and is off. Where the inflow
 /// Q is held, δρ is what gives it in this step:
 ///
 ///     δρ = (Q + 2 Σ g_m − Σ 6 w_i u_n²) / (2 Σ w_i).
@@ -75,14 +75,5 @@ private:
     };
     std::vector<Port> ports_;
 };
-
-/// Of a mirror in a line that faces along x (or y): the direction that c_i is turned into.
-constexpr int mirrored_direction(int i, bool across_x) {
-    for (int k = 0; k < d2q9::count; ++k)
-        if (d2q9::cx[k] == (across_x ? -d2q9::cx[i] : d2q9::cx[i]) &&
-            d2q9::cy[k] == (across_x ? d2q9::cy[i] : -d2q9::cy[i]))
-            return k;
-    return 0;
-}
 
 }  // namespace tt

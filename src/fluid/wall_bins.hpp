@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "fluid/walls.hpp"
 #include "geometry/loops.hpp"
 #include "grid/lattice.hpp"
 
@@ -87,5 +88,8 @@ private:
     int columns_, rows_;
     std::vector<std::vector<int>> bins_;
 };
+
+/// Fills `walls.distance`, of which all else is known.
+void measure_distances(const WallBins& bins, Walls& walls);
 
 }  // namespace tt

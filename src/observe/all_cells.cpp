@@ -22,10 +22,9 @@ AllCells all_cells(const State& state) {
     return all;
 }
 
-std::vector<double> per_node_of_all(const State& state, const std::vector<double>& x,
-                                    const std::vector<double>& y, double unit) {
-    const Suspension& cells = state.cells;
-    const AllCells all = all_cells(state);
+std::vector<double> per_node_of_all(const AllCells& all, const Suspension& cells,
+                                    const std::vector<double>& x, const std::vector<double>& y,
+                                    double unit) {
     std::vector<double> pairs(2 * static_cast<std::size_t>(all.first.back()),
                               std::numeric_limits<double>::quiet_NaN());
     for (int c = 0; c < cells.cell_count(); ++c) {

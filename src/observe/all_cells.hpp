@@ -14,8 +14,9 @@ struct AllCells {
 };
 AllCells all_cells(const State& state);
 
-/// Numbers x, y per node, in units of `unit`, as all_cells has them; NaN of cells that left.
-std::vector<double> per_node_of_all(const State& state, const std::vector<double>& x,
-                                    const std::vector<double>& y, double unit);
+/// Numbers x, y per node, in units of `unit`, as `all` has them; NaN of cells that left.
+std::vector<double> per_node_of_all(const AllCells& all, const Suspension& cells,
+                                    const std::vector<double>& x, const std::vector<double>& y,
+                                    double unit);
 
 }  // namespace tt

@@ -57,10 +57,14 @@ Frame membranes_of(const Snapshot& snapshot) {
     Frame frame;
     frame.time = snapshot.time().si;
     frame.step = snapshot.step();
-    frame.nodes = per_node_of_all(state, state.cells.x, state.cells.y, scales.length);
-    frame.node_force =
-        per_node_of_all(state, state.cells.fx, state.cells.fy, scales.unit(Tension::dimension));
-    frame.node_velocity = per_node_of_all(state, state.cells.ux, state.cells.uy, speed);
+    const AllCells all = all_cells(state);
+    const auto per_node = [&](const std::vector<double>& x, const std::vector<double>& y,
+                              double unit) {
+        return per_node_of_all(all, state.cells, x, y, unit);
+    };
+    frame.nodes = per_node(state.cells.x, state.cells.y, scales.length);
+    frame.node_force = per_node(state.cells.fx, state.cells.fy, scales.unit(Tension::dimension));
+    frame.node_velocity = per_node(state.cells.ux, state.cells.uy, speed);
     return frame;
 }
 

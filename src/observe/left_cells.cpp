@@ -53,7 +53,7 @@ void LeftCells::observe(const Snapshot& snapshot) {
         const Vec2 along = exit.to - exit.from;
         // From the lower or left end, whichever way round the outline was drawn.
         const double place = along.x + along.y > 0.0 ? d.place : norm(along) - d.place;
-        rows += csv_row(LeftRow{Time{static_cast<double>(d.step) * scales.time}, d.id, d.exit,
+        rows += csv_row(LeftRow{Time{d.time * scales.time}, d.id, d.exit,
                                 scales.to_si<Length>(place), scales.to_si<Velocity>(d.speed),
                                 scales.to_si<Area>(d.area), d.lambda_C});
     }

@@ -10,9 +10,8 @@
 namespace tt {
 
 /// ports.csv: of each port NAME the columns NAME.flow_rate, into the channels and per depth, and
-/// NAME.pressure, each the mean of two steps, and NAME.cells_left so far.
-/// What goes in comes out: the flow rates add up to
-/// nothing once the flow is steady.
+/// NAME.pressure, each the mean of two steps, and NAME.cells_left so far. What goes in comes out:
+/// the flow rates add up to nothing once the flow is steady.
 class PortSeries : public Observer {
 public:
     PortSeries(const Schedule& schedule, const std::filesystem::path& directory,

@@ -8,6 +8,7 @@
 #include "base/processors.hpp"
 #include "base/version.hpp"
 #include "io/checksum.hpp"
+#include "io/file.hpp"
 
 namespace tt {
 namespace {
@@ -34,6 +35,13 @@ Json to_json(const std::vector<InputFile>& inputs) {
     for (const InputFile& input : inputs)
         list.push_back({{"file", input.name}, {"hash", hexadecimal(checksum(input.bytes))}});
     return list;
+}
+
+void keep_inputs(const std::filesystem::path& directory, const std::vector<InputFile>& inputs) {
+    for (const InputFile& input : inputs) {
+        make_directory((directory / input.name).parent_path());
+        replace_file(directory / input.name, input.bytes, Durability::power);
+    }
 }
 
 std::string processor_name() {

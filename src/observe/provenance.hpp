@@ -20,6 +20,9 @@ struct InputFile {
 /// `{file, hash}` of each.
 Json to_json(const std::vector<InputFile>& inputs);
 
+/// Writes them into a directory that is to stand alone, by their names.
+void keep_inputs(const std::filesystem::path& directory, const std::vector<InputFile>& inputs);
+
 /// Where a result came from; what is not asked of the machine.
 struct Provenance {
     std::string name;

@@ -155,6 +155,18 @@ std::optional<fs::path> DirectoryLock::moved() const {
     return place.parent_path();
 }
 
+fs::path move_aside(const fs::path& path) {
+    const fs::path base = own_place(path);
+    fs::path free;
+    int number = 1;
+    do {
+        free = base;
+        free += fmt::format(".{}", number++);
+    } while (fs::exists(free));
+    move_into_place(base, free, Durability::power);
+    return free;
+}
+
 ResultsDirectory::ResultsDirectory(const fs::path& path, Start start)
     : path_(path), made_(first_absent(path)) {
     expect_results(path_);
@@ -167,12 +179,7 @@ ResultsDirectory::ResultsDirectory(const fs::path& path, Start start)
 
 void ResultsDirectory::move_aside() {
     const fs::path base = own_place(path_);
-    int number = 1;
-    do {
-        moved_to_ = base;
-        moved_to_ += fmt::format(".{}", number++);
-    } while (fs::exists(moved_to_));
-    move_into_place(base, moved_to_, Durability::power);
+    moved_to_ = tt::move_aside(path_);
     lock_.release();
     make_directory(base);
 }

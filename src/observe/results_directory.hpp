@@ -34,6 +34,10 @@ private:
     bool owner_ = false;  ///< by a file, not by the kernel
 };
 
+/// Renames a directory to the first of `path.1`, `path.2`, … that is free, beside where it lies
+/// itself: a link stays where it is. Returns the new name.
+std::filesystem::path move_aside(const std::filesystem::path& path);
+
 /// A results directory that this process alone writes to, until the object ends.
 class ResultsDirectory {
 public:

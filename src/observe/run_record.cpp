@@ -44,10 +44,7 @@ void RunRecord::change(std::vector<SettingChange> changes) {
 
 void RunRecord::write_case() const {
     replace_file(results_ / "case.toml", request_.case_toml, Durability::power);
-    for (const InputFile& input : request_.inputs) {
-        make_directory((results_ / input.name).parent_path());
-        replace_file(results_ / input.name, input.bytes, Durability::power);
-    }
+    keep_inputs(results_, request_.inputs);
     replace_file(results_ / "resolved.toml", request_.resolved_toml, Durability::power);
 }
 

@@ -86,7 +86,8 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
                        sites.relaxation, sites.populations, velocity);  // Eqs. 1–4
     x.fill(velocity);
     settle(x, sites.populations, [&] {  // waits until all velocities are there
-        return sites.borders.apply(m.equilibrium, m.boundaries, velocity, sites.populations, s.ports);
+        return sites.borders.apply(m.equilibrium, m.boundaries, velocity, sites.populations,
+                                   s.ports);
     });
     done(Pass::fluid);
 

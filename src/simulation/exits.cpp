@@ -35,7 +35,7 @@ Departed departed(const Exit& exit, std::int64_t number, const State& state, int
     const Vec2 along = exit.to - exit.from;
     Departed d;
     d.id = cells.id[cell];
-    d.step = state.step;
+    d.time = static_cast<double>(state.step);
     d.exit = number;
     d.place = dot(middle_of(shape) - exit.from, along) / norm(along);
     d.area = area_moments(shape).area;
@@ -54,11 +54,11 @@ void take_out(State& state, int cell) {
     remove_cell(state.cells, cell);
 }
 
-}  // namespace
-
-double way_to(const Exit& exit, const Model& model, const Suspension& cells, int cell) {
+/// Of a cell with this middle, `way_to`.
+double way_to(const Exit& exit, const Model& model, const Suspension& cells, int cell,
+              Vec2 middle) {
     const Outline shape = outline(cells, cell);
-    const Vec2 along = exit.to - exit.from, middle = middle_of(shape);
+    const Vec2 along = exit.to - exit.from;
     const double share = dot(middle - exit.from, along) / dot(along, along);
     const double way = dot(exit.from - middle, exit.out);
     const double farthest = exit.fade + reach + 0.5 * cells.perimeter[cell];
@@ -70,13 +70,20 @@ double way_to(const Exit& exit, const Model& model, const Suspension& cells, int
     return foremost;
 }
 
+}  // namespace
+
+double way_to(const Exit& exit, const Model& model, const Suspension& cells, int cell) {
+    return way_to(exit, model, cells, cell, middle_of(outline(cells, cell)));
+}
+
 void fade_forces(const Model& model, Suspension& cells) {
     const auto [begin, end] = own_cells(cells);
     for (int c = begin; c < end; ++c) {
+        const Vec2 middle = middle_of(outline(cells, c));
         double left = 1.0;
         for (const Exit& exit : model.exits)
             if (exit.fade > 0.0)
-                left = std::min(left, (way_to(exit, model, cells, c) - reach) / exit.fade);
+                left = std::min(left, (way_to(exit, model, cells, c, middle) - reach) / exit.fade);
         if (left >= 1.0) continue;
         for (int n = cells.first[c]; n < cells.first[c + 1]; ++n) {
             cells.fx[n] *= std::max(left, 0.0);
@@ -88,9 +95,10 @@ void fade_forces(const Model& model, Suspension& cells) {
 bool release_cells(const Model& model, State& state) {
     const std::size_t before = state.departed.size();
     for (int c = 0; c < state.cells.cell_count();) {
+        const Vec2 middle = middle_of(outline(state.cells, c));
         bool leaves = false;
         for (std::size_t n = 0; n < model.exits.size() && !leaves; ++n) {
-            leaves = way_to(model.exits[n], model, state.cells, c) < reach;
+            leaves = way_to(model.exits[n], model, state.cells, c, middle) < reach;
             if (leaves)
                 state.departed.push_back(
                     departed(model.exits[n], static_cast<std::int64_t>(n), state, c));

@@ -63,8 +63,9 @@ Vec2 centre_of(const Outline& outline) {
 Instability fault_at_node(const Model& model, const State& state, int node, Reading reading) {
     Instability what = fault(model, state, std::move(reading));
     place(model, state.cells.position(node), what);
-    what.cell = cell_of(state.cells, node);
-    what.node = node - state.cells.first[what.cell];
+    const int cell = cell_of(state.cells, node);
+    what.cell = state.cells.id[cell];
+    what.node = node - state.cells.first[cell];
     return what;
 }
 
@@ -167,7 +168,7 @@ std::optional<Instability> areas(const Model& model, const State& state, double 
         const char* const quantity =
             error <= -1.0 ? "area error (the outline is inside out)" : "area error";
         Instability what = fault(model, state, {quantity, 100.0 * error, 100.0 * limit, "%"});
-        what.cell = c;
+        what.cell = cells.id[c];
         place(model, centre_of(outline(cells, c)), what);
         what.cause = "the membrane leaks or the cell collapsed";
         what.cure = "a larger area_stiffness, a finer node spacing or a smaller dt";

@@ -25,7 +25,8 @@ struct Drive {
         0.0;  ///< uniform, along x; the controller's first guess when it holds the mean velocity
     double lean = 0.0;  ///< force along y over that along x, which keeps the mean flow along x
     bool hold_mean_velocity = false;
-    double target_velocity = 0.0;  ///< mean velocity to hold, or the nominal one
+    double target_velocity =
+        0.0;  ///< mean velocity to hold, or the nominal one; of a network the unit of `undisturbed`
 };
 
 /// Everything that does not change during a run. Lattice units; `scales` leads back to SI.

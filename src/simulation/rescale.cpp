@@ -47,6 +47,13 @@ void change_time_step(const Model& model, double ratio, State& state) {
     }
     state.drive.body_force *= ratio;
     state.drive.integral *= ratio;
+    for (PortFlow& port : state.ports)
+        for (auto* of_steps : {&port.density, &port.inflow})
+            for (double& value : *of_steps) value *= ratio;
+    for (Departed& departed : state.departed) {
+        departed.time /= ratio;
+        departed.speed *= ratio;
+    }
     state.step = std::llround(static_cast<double>(state.step) / ratio);
 }
 

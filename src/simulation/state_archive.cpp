@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "simulation/derive.hpp"
+#include "simulation/ports_archive.hpp"
 
 namespace tt {
 namespace {
@@ -39,15 +39,6 @@ void for_each_array(S& state, Visit&& visit) {
     visit("perimeter", cells.perimeter);
     visit("interior.x", state.interior.x);
     visit("interior.y", state.interior.y);
-}
-
-/// The ports as one array: two densities and two inflows each.
-std::vector<double> array_of(const std::vector<PortFlow>& ports) {
-    std::vector<double> numbers;
-    for (const PortFlow& port : ports)
-        for (const auto& pair : {port.density, port.inflow})
-            numbers.insert(numbers.end(), pair.begin(), pair.end());
-    return numbers;
 }
 
 template <class S, class Visit>
@@ -96,73 +87,6 @@ void load_populations(const ArchiveReader& archive, Exchange& exchange,
         }
     }
     if (odd) exchange.fill(populations);  // as `settle` left it
-}
-
-void load_ports(const ArchiveReader& archive, const Model& model, State& state) {
-    state.ports.resize(model.boundaries.ports.size());
-    if (state.ports.empty()) return;
-    const auto numbers = archive.take<double>("ports");
-    if (numbers.size() != 4 * state.ports.size()) refuse("it is of other ports");
-    const double* from = numbers.data();
-    for (PortFlow& port : state.ports)
-        for (auto* pair : {&port.density, &port.inflow})
-            for (double& number : *pair) number = *from++;
-    for (const double number : numbers)
-        if (!std::isfinite(number)) refuse("'ports' holds a number that is not finite");
-}
-
-/// The numbers of who left, and of the cells that are there: without departures they are counted
-/// through.
-void save_departed(ArchiveOutput& archive, const State& state) {
-    std::vector<std::int64_t> whole;
-    std::vector<double> numbers;
-    for (const Departed& d : state.departed) {
-        const auto nodes = static_cast<std::int64_t>(d.rest_length.size());
-        whole.insert(whole.end(), {d.id, d.step, d.exit, nodes});
-        numbers.insert(numbers.end(), {d.place, d.lambda_C, d.speed, d.area});
-        numbers.insert(numbers.end(), d.rest_length.begin(), d.rest_length.end());
-    }
-    archive.put("departed.whole", whole);
-    archive.put("departed.numbers", numbers);
-    archive.put("id", state.cells.id);
-}
-
-void load_departed(const ArchiveReader& archive, const Model& model, State& state) {
-    std::vector<std::int32_t>& id = state.cells.id;
-    if (!archive.has("departed.whole")) {
-        id.resize(state.cells.first.empty() ? 0 : state.cells.first.size() - 1);
-        std::iota(id.begin(), id.end(), 0);
-        return;
-    }
-    const auto whole = archive.take<std::int64_t>("departed.whole");
-    const auto numbers = archive.take<double>("departed.numbers");
-    id = archive.take<std::int32_t>("id");
-    constexpr std::size_t columns = 4;
-    std::size_t at = 0;
-    for (std::size_t k = 0; k + columns <= whole.size(); k += columns) {
-        Departed d{whole[k], whole[k + 1], whole[k + 2], 0.0, 1.0, 0.0, 0.0, {}};
-        const auto nodes = static_cast<std::size_t>(std::max<std::int64_t>(whole[k + 3], 0));
-        if (nodes > numbers.size() || at + columns + nodes > numbers.size() || d.id < 0 ||
-            d.exit < 0 || d.exit >= static_cast<std::int64_t>(model.exits.size()))
-            refuse("its list of cells that left is wrong");
-        d.place = numbers[at], d.lambda_C = numbers[at + 1], d.speed = numbers[at + 2];
-        d.area = numbers[at + 3];
-        const auto from = numbers.begin() + static_cast<std::ptrdiff_t>(at + columns);
-        d.rest_length.assign(from, from + static_cast<std::ptrdiff_t>(nodes));
-        at += columns + nodes;
-        state.departed.push_back(std::move(d));
-    }
-    const auto all = state.cells.first.size() - 1 + state.departed.size();
-    std::vector<bool> taken(all, false);
-    const auto take = [&](std::int64_t number) {
-        if (number < 0 || number >= static_cast<std::int64_t>(all) ||
-            taken[static_cast<std::size_t>(number)])
-            refuse("the numbers of its cells are wrong");
-        taken[static_cast<std::size_t>(number)] = true;
-    };
-    if (id.size() + state.departed.size() != all) refuse("the numbers of its cells are wrong");
-    for (const std::int32_t number : id) take(number);
-    for (const Departed& d : state.departed) take(d.id);
 }
 
 /// The fewest nodes of a cell, as `add_cell` asks.
@@ -260,8 +184,7 @@ void copy_saved(const State& from, State& to) {
 void save_state(ArchiveOutput& archive, const State& state) {
     for_each_number(state, [&](const char* name, auto value) { archive.put_value(name, value); });
     for_each_array(state, [&](const char* name, const auto& values) { archive.put(name, values); });
-    if (!state.ports.empty()) archive.put("ports", array_of(state.ports));
-    if (!state.departed.empty()) save_departed(archive, state);
+    save_ports(archive, state);
     std::visit(
         [&](const auto& sites) {
             const auto& populations = sites.populations;
@@ -280,9 +203,8 @@ State load_state(const ArchiveReader& archive, const Model& model, Exchange& exc
     for_each_array(state, [&](const char* name, auto& values) {
         values = archive.take<typename std::remove_cvref_t<decltype(values)>::value_type>(name);
     });
-    load_ports(archive, model, state);
     expect_sound(model.lattice, state);
-    load_departed(archive, model, state);
+    load_ports(archive, model, state);
     size_derived(state.cells);
     state.sites = sites_at_rest(model.lattice, model.precision);
     std::visit([&](auto& sites) { load_populations(archive, exchange, sites.populations); },
@@ -297,13 +219,7 @@ std::uint64_t state_hash(const State& state) {
     for_each_array(state, [&](const char*, const auto& values) {
         sum.add(values.data(), values.size() * sizeof values[0]);
     });
-    const std::vector<double> ports = array_of(state.ports);
-    sum.add(ports.data(), ports.size() * sizeof(double));
-    for (const Departed& d : state.departed) {
-        for (const std::int64_t number : {d.id, d.step, d.exit}) sum.add(&number, sizeof number);
-        for (const double number : {d.place, d.lambda_C, d.speed, d.area})
-            sum.add(&number, sizeof number);
-    }
+    hash_ports(state, sum);
     std::visit(
         [&](const auto& sites) {
             for (int i = 0; i < d2q9::count; ++i) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -12,6 +13,7 @@
 #include "exchange/periodic.hpp"
 #include "io/archive.hpp"
 #include "simulation/health.hpp"
+#include "simulation/rescale.hpp"
 #include "simulation/run.hpp"
 #include "simulation/state_archive.hpp"
 #include "source_dir.hpp"
@@ -70,8 +72,10 @@ TEST_F(Leaving, is_the_same_on_any_threads_and_across_a_restart) {
 
     // Before and after each departure, in both phases.
     std::set<std::int64_t> stops;
-    for (const Departed& d : one.departed)
-        for (const std::int64_t step : {d.step - 1, d.step, d.step + 1}) stops.insert(step);
+    for (const Departed& d : one.departed) {
+        const auto left = static_cast<std::int64_t>(d.time);
+        for (const std::int64_t step : {left - 1, left, left + 1}) stops.insert(step);
+    }
     State state = start;
     for (const std::int64_t stop : stops) {
         if (stop <= state.step || stop >= 1500) continue;
@@ -84,6 +88,35 @@ TEST_F(Leaving, is_the_same_on_any_threads_and_across_a_restart) {
     }
     run(state, 1500);
     EXPECT_EQ(state_hash(one), state_hash(state));
+}
+
+TEST_F(Leaving, is_told_at_its_time_in_another_time_step) {
+    State state = run_to(2000);
+    ASSERT_FALSE(state.departed.empty());
+    const Departed before = state.departed.front();
+    const double inflow = state.ports[2].mean_inflow();
+    Model shorter = model;
+    const double ratio = 0.5;
+    shorter.scales.time *= ratio;
+    change_time_step(shorter, ratio, state);
+    const Departed& after = state.departed.front();
+    EXPECT_DOUBLE_EQ(after.time * shorter.scales.time, before.time * model.scales.time);
+    EXPECT_DOUBLE_EQ(after.speed / shorter.scales.time, before.speed / model.scales.time);
+    EXPECT_DOUBLE_EQ(state.ports[2].mean_inflow() / shorter.scales.time,
+                     inflow / model.scales.time);
+}
+
+/// What goes wrong is told of the number that a cell has in all files.
+TEST_F(Leaving, a_fault_after_it_names_the_right_cell) {
+    State state = run_to(2000);
+    ASSERT_FALSE(state.departed.empty());
+    const int last = state.cells.cell_count() - 1;
+    state.cells.x[state.cells.first[last]] = std::nan("");
+    const auto found = Health({}, state).examine(model, state);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->cell, state.cells.id[last]);
+    EXPECT_NE(found->cell, last);
+    EXPECT_EQ(found->node, 0);
 }
 
 /// A cell that is gone at once kicks the flow; one that has faded does not.
