@@ -29,7 +29,7 @@ class Frame:
         self.units = {name: dataset.attrs.get("unit", "") for name, dataset in group.items()}
         self.__dict__.update({name: dataset[()] for name, dataset in group.items()})
         self.walls = walls
-        self._first = first
+        self._first = first[first <= group["nodes"].shape[0]]  # cells that came later have no nodes here
 
     def __getattr__(self, name: str) -> np.ndarray:
         raise AttributeError(f"the frame has no dataset '{name}'")

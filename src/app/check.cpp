@@ -28,12 +28,6 @@ struct CheckOptions {
     bool json = false;
 };
 
-std::string with_spaces(std::int64_t number) {
-    std::string text = std::to_string(number);
-    for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ' ');
-    return text;
-}
-
 std::string bytes_text(double bytes) {
     for (const char* unit : {"B", "kB", "MB", "GB"}) {
         if (bytes < 999.5) return fmt::format("{:.{}f} {}", bytes, bytes < 10.0 ? 1 : 0, unit);
@@ -102,10 +96,11 @@ std::string step_setters(const Choice& choice) {
     return text;
 }
 
-void print_numerics(const Case& c, const Choice& choice, const Appraisal& a) {
+void print_numerics(const Case& c, const Choice& choice, const Model& model, const Appraisal& a) {
     print_line("grid", fmt::format("{} x {} sites of {}, {} in all", choice.nx, choice.ny,
                                    rounded_text(choice.dx), with_spaces(a.sites)));
     print_walls(c, choice);
+    print_feeds(c, model, a);
     if (a.cells > 0)
         print_line(
             "cells",
@@ -244,7 +239,7 @@ int check(const CheckOptions& options) {
         fmt::print("{}\n", to_json(c, choice, a, p).dump(2));
     } else {
         fmt::print("{}  ({})\n\n", c.name, options.given.path);
-        print_numerics(c, choice, a);
+        print_numerics(c, choice, model, a);
         print_flow(c, choice, a);
         print_limits(choice, a);
         print_cost(a, p, threads);

@@ -49,6 +49,7 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
                               {"flow_rate_m2_per_s", port.flow_rate.si},
                               {"mean_velocity_m_per_s", port.mean_velocity.si}});
     }
+    if (!a.feed_cells.empty()) j["feed_cells"] = a.feed_cells;
     if (c.network()) j["late_answer_s"] = late_answer(choice).si;
     j["relaxation_time_plasma"] = a.tau_plasma;
     j["relaxation_time_largest"] = a.tau_cytoplasm;

@@ -17,7 +17,8 @@ void print_ports(const Case& c, const Choice& choice) {
         std::string text = fmt::format(
             "{}: {} wide, {} sites; pressure {}, flow rate {}, mean velocity {}{}", c.ports[n].name,
             rounded_text(port.width), place.width, rounded_text(port.pressure, 4),
-            fmt::format("{:.4g} mm^2/s", 1e6 * port.flow_rate.si), fmt::format("{:.4g} mm/s", 1e3 * port.mean_velocity.si),
+            fmt::format("{:.4g} mm^2/s", 1e6 * port.flow_rate.si),
+            fmt::format("{:.4g} mm/s", 1e3 * port.mean_velocity.si),
             c.ports[n].pressure ? "" : ", flow held");
         if (std::fabs(place.off) > 0.01)
             text += fmt::format("; {:.2f} sites off the middle between two sites", place.off);
@@ -42,6 +43,24 @@ void print_walls(const Case& c, const Choice& choice) {
                            "of error from the walls",
                            12.0 * choice.undisturbed->conductance / std::pow(choice.ny, 3),
                            66.0 / std::pow(narrowest_gap(*choice.walls), 2)));
+}
+
+void print_feeds(const Case& c, const Model& model, const Appraisal& a) {
+    for (std::size_t n = 0; n < model.feeds.size(); ++n) {
+        const Feed& feed = model.feeds[n];
+        const Scales& scales = model.scales;
+        const double turn = feed.period / feed.channel->drive.target_velocity;  // of plasma
+        const double per_second = a.feed_cells[n] / (turn * scales.time);
+        print_line(
+            n == 0 ? "feed" : "",
+            fmt::format("{}: {} cells in a channel of {}, hematocrit {:.1f} %, {} sites; some {} "
+                        "cells come in a second, {:.0f} in this run",
+                        model.port_names[static_cast<std::size_t>(feed.port)], a.feed_cells[n],
+                        rounded_text(Length{feed.period * scales.length}, 4),
+                        100.0 * a.feed_cells[n] * a.cell_area / feed.channel->open_area(),
+                        with_spaces(feed.channel->lattice.nx * feed.channel->lattice.ny),
+                        rounded_text(per_second, Dimension{}, 2), per_second * c.time.end.si));
+    }
 }
 
 }  // namespace tt

@@ -40,6 +40,8 @@ void count_all(const Case& c, const Choice& choice, const State& initial, Apprai
     a.sites = static_cast<std::int64_t>(choice.nx) * choice.ny;
     a.steps = steps_until(c.time.end.si, choice.dt.si);
     a.cells = cells.cell_count();
+    for (const FeedState& feed : initial.feeds)
+        a.feed_cells.push_back(feed.state.cells.cell_count());
     a.nodes = cells.node_count();
     if (a.cells == 0) return;
     const double area =
@@ -47,7 +49,8 @@ void count_all(const Case& c, const Choice& choice, const State& initial, Apprai
     const double length = std::accumulate(cells.rest_length.begin(), cells.rest_length.end(), 0.0);
     a.hematocrit = area / (choice.walls ? static_cast<double>(choice.walls->open_sites())
                                         : static_cast<double>(a.sites));
-    a.radius_sites = std::sqrt(area / a.cells / 3.14159265358979323846);
+    a.cell_area = area / a.cells;
+    a.radius_sites = std::sqrt(a.cell_area / std::numbers::pi);
     a.node_distance = length / a.nodes;
     resolve(c, choice, cells, a);
     a.viscosity_ratio = c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si;
@@ -59,11 +62,14 @@ void measure_start(const Model& model, const Suspension& cells, Appraisal& a) {
     a.smallest_gap = smallest_gap(model.lattice, cells, gap_reach);
     a.wall_distance = model.lattice.ny;
     const Walls* const walls = model.boundaries.walls.get();
-    for (int n = 0; n < a.nodes; ++n) {
-        const double y = cells.y[n];
-        const double away =
-            walls ? walls->distance_at(cells.position(n)) : std::min(y, model.lattice.ny - y);
-        a.wall_distance = std::min(a.wall_distance, away);
+    for (int c = 0; c < a.cells; ++c) {
+        if (cells.led[static_cast<std::size_t>(c)] != 0) continue;  // partly behind its port
+        for (int n = cells.first[c]; n < cells.first[c + 1]; ++n) {
+            const double y = cells.y[n];
+            const double away =
+                walls ? walls->distance_at(cells.position(n)) : std::min(y, model.lattice.ny - y);
+            a.wall_distance = std::min(a.wall_distance, away);
+        }
     }
     for (int c = 0; c < a.cells; ++c)
         for (int k = cells.first[c]; k < cells.first[c + 1]; ++k) {

@@ -35,8 +35,10 @@ struct Advice {
 struct Appraisal {
     std::int64_t sites = 0, steps = 0;
     int cells = 0, nodes = 0;
-    double radius_sites = 0.0;   ///< radius of a cell
-    double node_distance = 0.0;  ///< mean, in sites
+    std::vector<int> feed_cells;  ///< in the channel of each feed, as Model::feeds
+    double radius_sites = 0.0;    ///< radius of a cell
+    double cell_area = 0.0;       ///< mean, in sites
+    double node_distance = 0.0;   ///< mean, in sites
     double hematocrit = 0.0, viscosity_ratio = 1.0;
     double bending_length = 0.0;    ///< √(E_b/E_s), in sites
     double contact_distance = 0.0;  ///< of zero force, in sites; 0: no contact model

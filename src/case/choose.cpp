@@ -11,6 +11,7 @@
 #include "case/choose_grid.hpp"
 #include "case/choose_network.hpp"
 #include "base/processors.hpp"
+#include "case/feeds.hpp"
 #include "case/membrane_of.hpp"
 #include "case/walls_of.hpp"
 
@@ -220,6 +221,8 @@ void choose_walls(const Case& c, Choice& choice) {
                 fmt::format("[port.{}] no fluid lies beside it on the grid; write a "
                             "smaller dx, or draw a wider channel there",
                             c.ports[n].name));
+    for (std::string& message : faults_of_feeds(c, choice, *walls))
+        messages.push_back(std::move(message));
     if (!messages.empty()) {
         std::vector<Fault> faults;
         for (const std::string& message : messages) faults.push_back({"", 0, 0, message});

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "case/feeds.hpp"
 #include "case/openings.hpp"
 
 namespace tt {
@@ -43,6 +44,29 @@ void choose_box_grid(const Case& c, Choice& choice) {
     }
 }
 
+/// Sites beyond the drawing. Behind a port that feeds cells wait to come in.
+struct Margins {
+    int left = network_margin, right = network_margin, below = network_margin,
+        above = network_margin;
+};
+Margins network_margins(const Case& c, Length dx) {
+    const Corners corners = corners_of(std::get_if<DrawnShape>(&c.geometry.shape)->loops);
+    const std::vector<Opening> openings = port_places(c).openings;
+    const int room = network_margin + static_cast<int>(std::ceil(room_at_feed(c).si / dx.si));
+    Margins margins;
+    for (std::size_t n = 0; n < openings.size(); ++n) {
+        if (!feeds(c, c.ports[n])) continue;
+        const Vec2 low{std::min(openings[n].from.x, openings[n].to.x),
+                       std::min(openings[n].from.y, openings[n].to.y)};
+        const Vec2 high = openings[n].from + openings[n].to - low;
+        if (high.x - corners.low.x < dx.si) margins.left = room;
+        if (corners.high.x - low.x < dx.si) margins.right = room;
+        if (high.y - corners.low.y < dx.si) margins.below = room;
+        if (corners.high.y - low.y < dx.si) margins.above = room;
+    }
+    return margins;
+}
+
 void choose_network_grid(const Case& c, Choice& choice) {
     const double width = c.domain.width.si, length = c.domain.length.si;
     double narrowest = width;
@@ -55,13 +79,14 @@ void choose_network_grid(const Case& c, Choice& choice) {
     const int dividing = c.numerics.dx ? 0 : rows_that_divide(c, rows, rows + rows / 4);
     choice.dx = Length{dividing > 0 ? width / dividing : wanted};
     const auto sites = [&](double size) {
-        return static_cast<int>(std::ceil(size / choice.dx.si * (1.0 - 1e-9))) + 2 * network_margin;
+        return static_cast<int>(std::ceil(size / choice.dx.si * (1.0 - 1e-9)));
     };
-    choice.nx = sites(length);
-    choice.ny = sites(width);
+    const Margins margins = network_margins(c, choice.dx);
+    choice.nx = margins.left + sites(length) + margins.right;
+    choice.ny = margins.below + sites(width) + margins.above;
     const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape);
-    const Vec2 margin{network_margin * choice.dx.si, network_margin * choice.dx.si};
-    choice.origin = corners_of(drawn->loops).low - margin;
+    choice.origin = corners_of(drawn->loops).low -
+                    choice.dx.si * Vec2{double(margins.left), double(margins.below)};
 }
 
 }  // namespace

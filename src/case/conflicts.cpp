@@ -84,6 +84,28 @@ void judge_geometry(Judge& judge, const Case& c) {
     }
 }
 
+/// Cells that come in.
+void judge_feed(Judge& judge, const Case& c, const PortCase& port) {
+    const std::string path = fmt::format("port.{}.feed", port.name);
+    const auto key = [&](std::string_view name) { return fmt::format("{}.{}", path, name); };
+    if (!port.feeds()) {
+        for (const std::string_view name : {"length", "seed"})
+            if (judge.given(key(name)))
+                judge.tell({key(name)}, fmt::format("{} means nothing without cells; write "
+                                                    "hematocrit = \"20 %\" beside it",
+                                                    name));
+        return;
+    }
+    const double flow = port.mean_velocity ? port.mean_velocity->si
+                        : port.flow_rate   ? port.flow_rate->si
+                                           : 0.0;
+    if (!(flow > 0.0))
+        judge.tell({key("hematocrit")},
+                   fmt::format("port '{}' lets cells in and must hold a flow into the channels; "
+                               "write mean_velocity = \"1 mm/s\" in [port.{}]",
+                               port.name, port.name));
+}
+
 void judge_port(Judge& judge, const Case& c, const PortCase& port) {
     const std::string path = "port." + port.name;
     const auto key = [&](std::string_view name) { return fmt::format("{}.{}", path, name); };
@@ -112,6 +134,7 @@ void judge_port(Judge& judge, const Case& c, const PortCase& port) {
         judge.tell({path},
                    "nothing is asked of this port; write pressure = \"0 Pa\", flow_rate = "
                    "\"0.02 mm^2/s\" or mean_velocity = \"1 mm/s\"");
+    judge_feed(judge, c, port);
     if (!std::holds_alternative<DrawnShape>(c.geometry.shape))
         judge.tell({path}, fmt::format("a port means nothing with shape = \"{}\"; write shape = "
                                        "\"file\" in [geometry]",

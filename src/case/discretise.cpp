@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/choose_network.hpp"
+#include "case/feeds.hpp"
 #include "case/membrane_of.hpp"
 #include "membrane/implicit_tension.hpp"
 
@@ -117,7 +118,7 @@ Model discretise(const Case& c, const Choice& choice) {
     m.shear_rate = m.scales.to_lattice(choice.shear_rate);
     m.boundaries.walls = m.contact.walls = choice.walls;
     m.undisturbed = choice.undisturbed;
-    if (m.undisturbed) m.drive.lean = m.undisturbed->lean;
+    if (m.undisturbed) m.drive.direction.y = m.undisturbed->lean;
 
     if (c.network()) {
         m.boundaries.ports = port_conditions(c, choice, m);
@@ -125,6 +126,10 @@ Model discretise(const Case& c, const Choice& choice) {
         m.drive.target_velocity = m.scales.to_lattice(Velocity{1.0});
         m.exits = exits_of(c, choice);
         m.origin = choice.origin / choice.dx.si;
+        m.feeds = feeds_of(c, choice, m);
+        for (std::size_t n = 0; n < m.feeds.size(); ++n)
+            m.boundaries.ports[static_cast<std::size_t>(m.feeds[n].port)] =
+                FedInflow{static_cast<int>(n), m.feeds[n].i, m.feeds[n].j};
     }
     const double gradient = m.scales.to_lattice(choice.pressure_gradient);
     if (c.flow.shear()) {

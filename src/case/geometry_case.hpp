@@ -49,6 +49,14 @@ struct DrawnShape {
     std::vector<Loop> loops;     ///< the same [m]; no key
     friend bool operator==(const DrawnShape&, const DrawnShape&) = default;
 };
+/// Cells that come in through a port, from a straight channel of its width.
+struct FeedCase {
+    std::optional<double> hematocrit;  ///< of the channel
+    std::optional<Length> length;      ///< of the channel
+    std::int64_t seed = 1;             ///< of its start
+
+    friend bool operator==(const FeedCase&, const FeedCase&) = default;
+};
 /// Where fluid goes in and out of what is drawn: [port.NAME].
 struct PortCase {
     std::string name;        ///< of the table; no key
@@ -57,7 +65,9 @@ struct PortCase {
     std::optional<Pressure> pressure;
     std::optional<KinematicViscosity> flow_rate;  ///< per depth
     std::optional<Velocity> mean_velocity;
+    FeedCase feed;
 
+    bool feeds() const { return feed.hematocrit.has_value(); }
     friend bool operator==(const PortCase&, const PortCase&) = default;
 };
 struct GeometryCase {

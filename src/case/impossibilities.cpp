@@ -13,6 +13,7 @@
 #include "case/channel_flow.hpp"
 #include "case/choose.hpp"
 #include "case/contact_at_start.hpp"
+#include "case/feeds.hpp"
 #include "case/fit.hpp"
 #include "case/judge.hpp"
 #include "case/openings.hpp"
@@ -215,6 +216,18 @@ void judge_grid(Judge& judge, const Case& c) {
                     fitting_spacing(c, dx)));
 }
 
+void judge_feeds(Judge& judge, const Case& c) {
+    for (const PortCase& port : c.ports) {
+        if (!feeds(c, port) || !port.feed.length) continue;
+        const Length least{4.0 * room_at_feed(c).si};
+        if (*port.feed.length < least)
+            judge.tell({fmt::format("port.{}.feed.length", port.name)},
+                       fmt::format("the channel that feeds is {} long and takes room for some "
+                                   "cells; write length = \"{}\", or leave it out",
+                                   to_text(*port.feed.length), rounded_text(least, 3)));
+    }
+}
+
 void judge_times(Judge& judge, const Case& c) {
     const Time end = c.time.end;
     const auto check = [&](const std::optional<Time>& t, std::string_view path) {
@@ -288,6 +301,7 @@ std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
     if (c.contact.morse()) judge_contact(judge, *c.contact.morse());
     judge_rate(judge, c);
     if (cells_have_size && !c.numerics.fluid_only) judge_repulsion(judge, c);
+    if (cells_have_size) judge_feeds(judge, c);
     if (cells_have_size) judge_shear_number(judge, c);
     if (cells_have_size) judge_grid(judge, c);
     judge_times(judge, c);

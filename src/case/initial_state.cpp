@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "case/choose.hpp"
+#include "case/feeds.hpp"
 #include "case/layout.hpp"
 #include "case/random_layout.hpp"
 #include "coupling/stencil.hpp"
@@ -75,9 +76,12 @@ std::vector<Placement> placements(const Case& c, const Model& m, const std::vect
                                   const LayoutWatch& watch) {
     const double length = m.lattice.nx, width = m.lattice.ny;
     const auto seed = static_cast<std::uint64_t>(c.cells.seed);
+    const Walls* const walls = m.boundaries.walls.get();
+    const Walls left = m.feeds.empty() ? Walls{} : without_entrances(m);
+    const Room room{m.lattice, m.feeds.empty() ? walls : &left};
     const auto number = [&](int multiple) {  // as near to the hematocrit as there are whole cells
         if (!c.cells.hematocrit) return static_cast<int>(c.cells.count.value_or(1));
-        const double cells = *c.cells.hematocrit * m.open_area() / area_of(shape);
+        const double cells = *c.cells.hematocrit * room.area() / area_of(shape);
         return multiple * std::max(1, static_cast<int>(std::lround(cells / multiple)));
     };
     if (const auto* rows = std::get_if<PaperRows>(&c.cells.layout)) {
@@ -87,8 +91,7 @@ std::vector<Placement> placements(const Case& c, const Model& m, const std::vect
         return cells;
     }
     if (std::holds_alternative<AtRandom>(c.cells.layout))
-        return random_placements(shape, number(1), {m.lattice, m.boundaries.walls.get()}, seed,
-                                 watch);
+        return random_placements(shape, number(1), room, seed, watch);
     if (const auto* layout = std::get_if<AtPositions>(&c.cells.layout)) {
         std::vector<Placement> cells;
         for (const auto& p : layout->positions) {
@@ -120,6 +123,11 @@ void move_last_cell_to(const std::vector<Vec2>& points, Suspension& cells) {
         cells.x[first + k] = points[k].x;
         cells.y[first + k] = points[k].y;
     }
+}
+
+void add_placed(const std::vector<Vec2>& shape, const Placement& place, Suspension& cells) {
+    add_cell(cells, placed(shape, place.angle, place.centre));
+    if (!place.bend.empty()) move_last_cell_to(placed(shape, place), cells);
 }
 
 void refuse_bad_placements(const Model& m, const Suspension& cells) {
@@ -156,6 +164,11 @@ void refuse_bad_placements(const Model& m, const Suspension& cells) {
             break;
         }
     }
+    if (!faults.empty()) throw CaseError(faults);
+}
+
+void refuse_overlaps(const Model& m, const Suspension& cells) {
+    std::vector<Fault> faults;
     std::vector<bool> told(cells.cell_count(), false);
     for (const Overlap& overlap : find_overlaps(m.lattice, cells)) {
         if (told[overlap.cell]) continue;
@@ -182,12 +195,12 @@ Suspension suspended_cells(const Case& c, const Model& m, const LayoutWatch& wat
     if (c.numerics.fluid_only) return cells;
     const std::vector<Vec2> shape = stress_free_shape(c, m.scales.length);
     for (const Placement& place : placements(c, m, shape, watch)) {
-        add_cell(cells, placed(shape, place.angle, place.centre));
-        if (!place.bend.empty()) move_last_cell_to(placed(shape, place), cells);
+        add_placed(shape, place, cells);
         if (c.cells.initial_stretch)
             stretch(place, *c.cells.initial_stretch, cells, cells.cell_count() - 1);
     }
     refuse_bad_placements(m, cells);
+    refuse_overlaps(m, cells);
     return cells;
 }
 
@@ -232,11 +245,8 @@ void let_nodes_follow(Sites<Real>& sites, Suspension& cells) {
         interpolate(Order::zeroth, sites.stencils, sites.velocity, cells, cell);
 }
 
-}  // namespace
-
-State initial_state(const Case& c, const Model& model, const LayoutWatch& watch) {
-    State state;
-    state.cells = suspended_cells(c, model, watch);
+/// The fluid in its flow and all that follows from the cells, which are there.
+void start(const Case& c, const Model& model, State& state) {
     state.drive.body_force = model.drive.body_force;
     // Nothing is nearer than the reach of the contact forces; without them gaps are not measured.
     state.contact.smallest_gap = model.contact.range > 0.0 ? model.contact.range : std::nan("");
@@ -247,6 +257,35 @@ State initial_state(const Case& c, const Model& model, const LayoutWatch& watch)
     set_ports(model, c.flow.start, state);
     derive(model, state);
     std::visit([&](auto& sites) { let_nodes_follow(sites, state.cells); }, state.sites);
+}
+
+/// The channel of a feed with its cells at random.
+State feed_at_start(const Case& c, const Model& network, const Feed& feed,
+                    const LayoutWatch& watch) {
+    const Model& channel = *feed.channel;
+    State state;
+    const std::vector<Vec2> shape = stress_free_shape(c, channel.scales.length);
+    const double cells = feed.hematocrit * channel.open_area() / area_of(shape);
+    const std::string& port = network.port_names[static_cast<std::size_t>(feed.port)];
+    for (const Placement& place :
+         random_placements(shape, std::max(1, static_cast<int>(std::lround(cells))),
+                           {channel.lattice, channel.boundaries.walls.get()}, feed.seed, watch,
+                           fmt::format("[port.{}.feed]", port)))
+        add_placed(shape, place, state.cells);
+    start(c, channel, state);
+    return state;
+}
+
+}  // namespace
+
+State initial_state(const Case& c, const Model& model, const LayoutWatch& watch) {
+    State state;
+    state.cells = suspended_cells(c, model, watch);
+    for (const Feed& feed : model.feeds)
+        state.feeds.emplace_back().state = feed_at_start(c, model, feed, watch);
+    if (admit_cells(model, state)) refuse_overlaps(model, state.cells);
+    state.interior = {};
+    start(c, model, state);
     return state;
 }
 

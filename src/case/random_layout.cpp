@@ -54,7 +54,7 @@ RandomLayout lay_at_random(const std::vector<Vec2>& shape, int count, const Room
 
 std::vector<Placement> random_placements(const std::vector<Vec2>& shape, int count,
                                          const Room& room, std::uint64_t seed,
-                                         const LayoutWatch& watch) {
+                                         const LayoutWatch& watch, const std::string& where) {
     RandomLayout layout = lay_at_random(shape, count, room, seed, watch);
     if (layout.scale >= 1.0) return std::move(layout.cells);
     int fewer = count;
@@ -65,13 +65,13 @@ std::vector<Placement> random_placements(const std::vector<Vec2>& shape, int cou
     const double one = 100.0 * area_of(shape) / room.area();
     if (layout.scale < 1.0)
         throw CaseError({{"", 0, 0,
-                          "[cells] layout = \"random\": not one cell fits into the box; make it "
-                          "smaller or the box larger"}});
+                          where + ": not one cell fits into the box; make it smaller or the box "
+                                  "larger"}});
     throw CaseError(
         {{"", 0, 0,
-          fmt::format("[cells] layout = \"random\": no room for {} cells; hematocrit {:.1f} % was "
+          fmt::format("{}: no room for {} cells; hematocrit {:.1f} % was "
                       "reached of {:.1f} %: write count = {}, or at most hematocrit = \"{:.1f} %\"",
-                      count, fewer * one, count * one, fewer,
+                      where, count, fewer * one, count * one, fewer,
                       std::floor(10.0 * fewer * one) / 10.0)}});
 }
 

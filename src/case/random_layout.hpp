@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "case/layout.hpp"
@@ -26,9 +27,10 @@ RandomLayout lay_at_random(const std::vector<Vec2>& shape, int count, const Room
                            std::uint64_t seed, const LayoutWatch& watch = {});
 
 /// The same, at full size. Throws CaseError where they do not fit, with a number of cells that
-/// does.
+/// does; `where` it was asked for.
 std::vector<Placement> random_placements(const std::vector<Vec2>& shape, int count,
                                          const Room& room, std::uint64_t seed,
-                                         const LayoutWatch& watch = {});
+                                         const LayoutWatch& watch = {},
+                                         const std::string& where = "[cells] layout = \"random\"");
 
 }  // namespace tt

@@ -66,6 +66,29 @@ struct FieldList<GeometryCase> {
 };
 
 template <>
+struct FieldList<FeedCase> {
+    using T = FeedCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"hematocrit",
+                   &T::hematocrit,
+                   "of a straight channel as wide as the port, from which cells and plasma come "
+                   "in; the port must hold a flow",
+                   Range{0.0, 0.9, true, false},
+                   {},
+                   "20 %"},
+        FieldEntry{"length",
+                   &T::length,
+                   "of that channel, whose ends are periodic; auto: ten widths, and room for some "
+                   "cells",
+                   box_size,
+                   {},
+                   "200 um"},
+        FieldEntry{
+            "seed", &T::seed, "of the places of its cells at the start", Range{0.0, 9e15}, {}, "1"},
+    };
+};
+
+template <>
 struct FieldList<PortCase> {
     using T = PortCase;
     static constexpr auto entries = std::tuple{
@@ -91,6 +114,7 @@ struct FieldList<PortCase> {
                    Range{-100.0, 100.0},
                    {},
                    "1 mm/s"},
+        FieldEntry{"feed", &T::feed, "cells that come in through this port"},
     };
 };
 

@@ -25,13 +25,13 @@ struct Borders {
     /// After a pass, whose velocity is `velocity`, in the phase that the populations still have.
     /// False if there was nothing to do. Team function, as WallLinks::apply.
     bool apply(const Equilibrium& equilibrium, const Boundaries& boundaries,
-               const VectorField<Real>& velocity, Populations<Real>& populations,
-               std::vector<PortFlow>& flow) {
+               const VectorField<Real>& velocity, const FeedPopulations<Real>& feeds,
+               Populations<Real>& populations, std::vector<PortFlow>& flow) {
         if (links.empty()) return false;
         links.apply(populations);
         const bool inertia = !std::holds_alternative<LinearEquilibrium>(equilibrium);
         if (team_rank() == 0)
-            ports.apply(boundaries.ports, inertia ? &velocity : nullptr, populations, flow);
+            ports.apply(boundaries.ports, inertia ? &velocity : nullptr, feeds, populations, flow);
         return true;
     }
 };

@@ -22,15 +22,15 @@ Ports<Real>::Ports(const Walls& walls, const Populations<Real>& populations) {
         port.links.push_back({place(d2q9::opposite[m], link.i - tx, link.j - ty),
                               place(d2q9::opposite[k], link.i - dx, link.j - dy),
                               place(m, link.i - dx + tx, link.j - dy + ty),
-                              place(k, link.i, link.j), link.i, link.j, weight});
+                              place(k, link.i, link.j), link.i, link.j, k, weight});
         port.weight += d2q9::weight[k];
     }
 }
 
 template <class Real>
 void Ports<Real>::apply(const std::vector<PortCondition>& conditions,
-                        const VectorField<Real>* velocity, Populations<Real>& populations,
-                        std::vector<PortFlow>& flow) const {
+                        const VectorField<Real>* velocity, const FeedPopulations<Real>& feeds,
+                        Populations<Real>& populations, std::vector<PortFlow>& flow) const {
     Real* const f = populations.data();
     const bool even = populations.phase == Phase::even;
     const auto dynamic = [&](const Port& port, const Link& link) {
@@ -40,6 +40,10 @@ void Ports<Real>::apply(const std::vector<PortCondition>& conditions,
     };
     for (std::size_t n = 0; n < ports_.size(); ++n) {
         const Port& port = ports_[n];
+        if (const auto* from = std::get_if<FedInflow>(&conditions[n])) {
+            feed(port, *from, feeds(from->feed), populations, flow[n]);
+            continue;
+        }
         double gone = 0.0, extra = 0.0;
         for (const Link& link : port.links) {
             gone += f[even ? link.even_source : link.odd_source];
@@ -59,6 +63,32 @@ void Ports<Real>::apply(const std::vector<PortCondition>& conditions,
                 static_cast<Real>(2.0 * link.weight * density + dynamic(port, link) - source);
         }
     }
+}
+
+template <class Real>
+void Ports<Real>::feed(const Port& port, const FedInflow& from, const Populations<Real>& there,
+                       Populations<Real>& here, PortFlow& flow) {
+    Real* const f = here.data();
+    const bool even = here.phase == Phase::even;
+    const Lattice& channel = there.lattice();
+    const auto arriving = [&](int k, int i, int j) {
+        return there.arriving(k, wrapped(i - from.i, channel.nx), wrapped(j - from.j, channel.ny));
+    };
+    double here_gone = 0.0, there_gone = 0.0, arrived = 0.0;
+    for (const Link& link : port.links) {
+        const int k = link.direction;
+        // What departs lies where the other phase looks for what arrives.
+        here_gone += f[even ? link.odd_target : link.even_target];
+        there_gone += arriving(d2q9::opposite[k], link.i - d2q9::cx[k], link.j - d2q9::cy[k]);
+        arrived += arriving(k, link.i, link.j);
+    }
+    const double more = (here_gone - there_gone) / port.weight;
+    for (const Link& link : port.links)
+        f[even ? link.even_target : link.odd_target] =
+            static_cast<Real>(arriving(link.direction, link.i, link.j) + link.weight * more);
+    const double in = arrived + port.weight * more;
+    flow.density = {0.5 * (in + here_gone) / port.weight, flow.density[0]};
+    flow.inflow = {in - here_gone, flow.inflow[0]};
 }
 
 template class Ports<double>;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <variant>
 #include <vector>
 
@@ -20,7 +21,17 @@ struct HeldInflow {
     double rate = 0.0;  ///< volume per step into the fluid; negative: out of it
     friend bool operator==(const HeldInflow&, const HeldInflow&) = default;
 };
-using PortCondition = std::variant<HeldDensity, HeldInflow>;
+/// What arrives at the end of a channel on another lattice, whose sites are these moved.
+struct FedInflow {
+    int feed = 0;      ///< which channel
+    int i = 0, j = 0;  ///< site here that is (0, 0) there
+    friend bool operator==(const FedInflow&, const FedInflow&) = default;
+};
+using PortCondition = std::variant<HeldDensity, HeldInflow, FedInflow>;
+
+/// The populations of a channel that feeds, after the same pass as here and settled.
+template <class Real>
+using FeedPopulations = std::function<const Populations<Real>&(int feed)>;
 
 /// What went on at a port in the last step and in the one before: their mean is free of what a
 /// lattice conserves besides momentum, which changes sign from step to step.
@@ -45,6 +56,11 @@ struct PortFlow {
 ///
 ///     δρ = (Q + 2 Σ g_m − Σ 6 w_i u_n²) / (2 Σ w_i).
 ///
+/// What is fed comes in as it arrives at the end of the other channel, h_i, and all of it with the
+/// one density more that lets as much in as passes there, whatever departs here:
+///
+///     f_i(x) = h_i(x) + w_i δ,   δ = Σ (g_ī − g_ī there) / Σ w_i.
+///
 /// In place as walls are (docs/theory/ports.md): after an even pass the source is slot m̄ of x − c_t
 /// and the target slot ī of x − c_i; after an odd one slot m of the site beyond x, and slot i of x.
 /// No target is a source, and none is touched by links of walls.
@@ -60,12 +76,13 @@ public:
     /// in the halo. `velocity` is that of the pass where the equilibrium has inertia, else nullptr.
     /// One thread; all rows have been passed.
     void apply(const std::vector<PortCondition>& conditions, const VectorField<Real>* velocity,
-               Populations<Real>& populations, std::vector<PortFlow>& flow) const;
+               const FeedPopulations<Real>& feeds, Populations<Real>& populations,
+               std::vector<PortFlow>& flow) const;
 
 private:
     struct Link {
         std::uint32_t even_source, even_target, odd_source, odd_target;
-        int i, j;
+        int i, j, direction;
         Real weight;
     };
     struct Port {
@@ -73,6 +90,9 @@ private:
         bool across_x = false;  ///< it faces along x
         double weight = 0.0;    ///< Σ w
     };
+    /// Of a port that is fed.
+    static void feed(const Port& port, const FedInflow& from, const Populations<Real>& there,
+                     Populations<Real>& here, PortFlow& flow);
     std::vector<Port> ports_;
 };
 

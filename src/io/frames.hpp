@@ -41,7 +41,9 @@ struct FramesHeader {
 struct Frame {
     double time = 0.0;
     std::int64_t step = 0;
-    std::vector<double> nodes;          ///< x, y per node [m], unwrapped; shape (N, 2)
+    /// x, y per node [m], unwrapped; shape (N, 2), N the nodes of all cells that had come by then.
+    /// NaN of cells that have left.
+    std::vector<double> nodes;
     std::vector<double> node_force;     ///< per unit depth [N/m]; (N, 2)
     std::vector<double> node_velocity;  ///< [m/s]; (N, 2)
     // The fields, all of them or none.
@@ -74,6 +76,8 @@ public:
     double time(int k) const { return entry(k).time; }
     bool has_fields(int k) const { return entry(k).has_fields; }
     Frame frame(int k) const;
+    /// The same without a place for cells that came later.
+    Frame stored(int k) const;
     /// What is damaged, a sentence each; empty if all is sound.
     const std::vector<std::string>& faults() const { return faults_; }
     /// The files that hold frames, all of them sound.
@@ -112,6 +116,8 @@ public:
     /// checkpoint, are removed.
     FramesWriter(std::filesystem::path directory, FramesHeader header, std::vector<FrameTime> kept);
 
+    /// More cells than before are in the frames from now on; those there were stay the first ones.
+    void add_cells(std::vector<std::int32_t> first, std::vector<double> rest_length);
     void write(const Frame& frame);
     const std::vector<FrameTime>& times() const { return times_; }
     /// Returns once the frames written are on the disk.

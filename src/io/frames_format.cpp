@@ -37,6 +37,16 @@ void examine(const FramesHeader& header) {
     hdf5::expect(sound, "make sense of", "the header of the frames");
 }
 
+/// x, y of the nodes that a frame holds: of all cells, or of those that had come by then.
+std::vector<double> read_nodes(hid_t group, const char* name, const FramesHeader& header) {
+    std::vector<double> pairs = hdf5::read_dataset<double>(group, name).values;
+    const auto nodes = static_cast<std::int32_t>(pairs.size() / 2);
+    hdf5::expect(pairs.size() % 2 == 0 &&
+                     std::binary_search(header.first.begin(), header.first.end(), nodes),
+                 "read whole cells of", name);
+    return pairs;
+}
+
 template <class T>
 std::vector<T> read_values(hid_t group, const char* name, std::size_t count) {
     std::vector<T> values = hdf5::read_dataset<T>(group, name).values;
@@ -54,6 +64,13 @@ fs::path folder_of(const fs::path& frames_h5) { return frames_h5.parent_path() /
 
 fs::path merged_part(const fs::path& folder) { return folder / "merged.h5"; }
 
+void write_cells(hid_t file, const FramesHeader& header) {
+    for (const char* name : {"first", "rest_length"})
+        if (hdf5::exists(file, name)) hdf5::remove(file, name);
+    hdf5::write_dataset(file, "first", header.first);
+    hdf5::write_dataset(file, "rest_length", {header.rest_length.size()}, header.rest_length, "m");
+}
+
 void write_header(hid_t file, const FramesHeader& header, Kind kind) {
     hdf5::write_attribute(file, "name", header.name);
     hdf5::write_attribute(file, "dx", header.dx);
@@ -62,8 +79,7 @@ void write_header(hid_t file, const FramesHeader& header, Kind kind) {
     hdf5::write_attribute(file, "nx", static_cast<std::int64_t>(header.nx));
     hdf5::write_attribute(file, "ny", static_cast<std::int64_t>(header.ny));
     hdf5::write_attribute(file, "merged", static_cast<std::int64_t>(kind));
-    hdf5::write_dataset(file, "first", header.first);
-    hdf5::write_dataset(file, "rest_length", {header.rest_length.size()}, header.rest_length, "m");
+    write_cells(file, header);
     if (!header.wall_first.empty()) {
         hdf5::write_dataset(file, "walls", {header.walls.size() / 2, 2}, header.walls, "m");
         hdf5::write_dataset(file, "wall_first", header.wall_first);
@@ -105,7 +121,7 @@ void write_frame(hid_t file, const FramesHeader& header, const Frame& frame, std
     const hdf5::Id group = hdf5::create_group(file, group_name(number));
     hdf5::write_attribute(group, "time", frame.time);
     hdf5::write_attribute(group, "step", frame.step);
-    const auto nodes = static_cast<hsize_t>(header.first.back());
+    const auto nodes = static_cast<hsize_t>(frame.nodes.size() / 2);
     const auto nx = static_cast<hsize_t>(header.nx);
     const auto ny = static_cast<hsize_t>(header.ny);
     const auto storage = header.compressed ? hdf5::Storage::compressed : hdf5::Storage::plain;
@@ -124,15 +140,17 @@ void write_frame(hid_t file, const FramesHeader& header, const Frame& frame, std
 
 Frame read_frame(hid_t file, const FramesHeader& header, std::int64_t number) {
     const hdf5::Id group = hdf5::open_group(file, group_name(number));
-    const auto nodes = static_cast<std::size_t>(header.first.back());
     const std::size_t sites =
         static_cast<std::size_t>(header.nx) * static_cast<std::size_t>(header.ny);
     Frame frame;
     frame.time = hdf5::read_double(group, "time");
     frame.step = hdf5::read_integer(group, "step");
-    frame.nodes = read_values<double>(group, "nodes", 2 * nodes);
-    frame.node_force = read_values<double>(group, "node_force", 2 * nodes);
-    frame.node_velocity = read_values<double>(group, "node_velocity", 2 * nodes);
+    frame.nodes = read_nodes(group, "nodes", header);
+    frame.node_force = read_nodes(group, "node_force", header);
+    frame.node_velocity = read_nodes(group, "node_velocity", header);
+    hdf5::expect(frame.node_force.size() == frame.nodes.size() &&
+                     frame.node_velocity.size() == frame.nodes.size(),
+                 "read forces and velocities of all", "nodes");
     if (!hdf5::exists(group, "velocity")) return frame;
     frame.velocity = read_values<float>(group, "velocity", 2 * sites);
     frame.pressure = read_values<float>(group, "pressure", sites);

@@ -23,6 +23,8 @@ enum class Kind : std::int64_t { index = 0, whole = 1 };
 
 /// Also makes the group `frames`.
 void write_header(hid_t file, const FramesHeader& header, Kind kind);
+/// The part of it that tells the cells, again where there are more.
+void write_cells(hid_t file, const FramesHeader& header);
 FramesHeader read_header(hid_t file);
 Kind kind_of(hid_t file);
 

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -98,7 +100,9 @@ void FramesReader::add_file(const fs::path& path) {
 
 void FramesReader::add_frames(const fs::path& path) {
     const frames::File file(path);
-    if (header_.nx == 0) header_ = frames::read_header(file.id);
+    FramesHeader header = frames::read_header(file.id);
+    const bool more_cells = header.first.size() > header_.first.size();  // than had come before
+    if (header_.nx == 0 || more_cells) header_ = std::move(header);
     const bool sound = file.bytes.damaged_blocks() == 0;
     std::vector<std::int64_t> damaged;
     for (const std::int64_t number : frames::numbers_in(file.id)) {
@@ -128,6 +132,14 @@ void FramesReader::note_state(const SealedFile& file, bool sound,
 }
 
 Frame FramesReader::frame(int k) const {
+    Frame frame = stored(k);
+    const auto all = 2 * static_cast<std::size_t>(header_.first.back());
+    for (auto* per_node : {&frame.nodes, &frame.node_force, &frame.node_velocity})
+        per_node->resize(all, std::numeric_limits<double>::quiet_NaN());
+    return frame;
+}
+
+Frame FramesReader::stored(int k) const {
     if (!opened_ || opened_->bytes.path() != entry(k).file)
         opened_ = std::make_unique<frames::File>(entry(k).file);
     return frames::read_frame(opened_->id, header_, entry(k).number);

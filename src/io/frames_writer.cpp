@@ -61,6 +61,12 @@ void FramesWriter::remove_after(std::int64_t count) const {
     }
 }
 
+void FramesWriter::add_cells(std::vector<std::int32_t> first, std::vector<double> rest_length) {
+    header_.first = std::move(first);
+    header_.rest_length = std::move(rest_length);
+    frames::write_cells(index_, header_);
+}
+
 void FramesWriter::write(const Frame& frame) {
     const auto number = static_cast<std::int64_t>(times_.size());
     const hdf5::Id file = hdf5::create_in_memory();
@@ -124,7 +130,7 @@ void FramesWriter::write_whole(const FramesReader& from, const fs::path& path) c
     frames::write_header(to.id(), header_, frames::Kind::whole);
     std::vector<FrameTime> times;
     for (int k = 0; k < from.count(); ++k) {
-        const Frame frame = from.frame(k);
+        const Frame frame = from.stored(k);
         frames::write_frame(to.id(), header_, frame, from.number(k));
         times.push_back({frame.time, frame.step});
         to.expect_sound();

@@ -264,6 +264,10 @@ template Dataset<double> read_dataset(hid_t, const std::string&);
 template Dataset<float> read_dataset(hid_t, const std::string&);
 template Dataset<std::int32_t> read_dataset(hid_t, const std::string&);
 
+void remove(hid_t where, const std::string& name) {
+    expect(H5Ldelete(where, name.c_str(), H5P_DEFAULT) >= 0, "remove", name);
+}
+
 void link_external(hid_t where, const std::string& name, const std::string& file,
                    const std::string& object) {
     expect(H5Lcreate_external(file.c_str(), object.c_str(), where, name.c_str(), H5P_DEFAULT,

@@ -1,6 +1,8 @@
 #include "membrane/suspension.hpp"
 
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "base/contracts.hpp"
 
@@ -13,6 +15,21 @@ double turning(Vec2 before, Vec2 after) {
     return 2.0 * cross(before, after) / (norm(before) * norm(after) + dot(before, after));
 }
 
+constexpr std::array per_node{
+    &Suspension::x,           &Suspension::y,         &Suspension::fx,
+    &Suspension::fy,          &Suspension::pair_fx,   &Suspension::pair_fy,
+    &Suspension::ux,          &Suspension::uy,        &Suspension::ux_sampled,
+    &Suspension::uy_sampled,  &Suspension::dipole_xx, &Suspension::dipole_xy,
+    &Suspension::rate_xx,     &Suspension::rate_xy,   &Suspension::rest_curvature,
+    &Suspension::rest_length, &Suspension::stiffness};
+constexpr std::array per_cell{&Suspension::reference_area, &Suspension::reference_perimeter,
+                              &Suspension::alpha, &Suspension::area, &Suspension::perimeter};
+
+void number_last(Suspension& cells) {
+    cells.id.push_back(cells.id.empty() ? 0 : cells.id.back() + 1);
+    cells.led.push_back(0);
+}
+
 }  // namespace
 
 void size_derived(Suspension& cells) {
@@ -21,19 +38,35 @@ void size_derived(Suspension& cells) {
         zero->resize(cells.x.size(), 0.0);
 }
 
+void number_cells(Suspension& cells) {
+    cells.id.resize(static_cast<std::size_t>(cells.cell_count()));
+    std::iota(cells.id.begin(), cells.id.end(), 0);
+    cells.led.assign(cells.id.size(), 0);
+}
+
 void remove_cell(Suspension& cells, int cell) {
     const int begin = cells.first[cell], end = cells.first[cell + 1];
-    for (auto* per_node :
-         {&cells.x, &cells.y, &cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux,
-          &cells.uy, &cells.ux_sampled, &cells.uy_sampled, &cells.rest_curvature, &cells.dipole_xx,
-          &cells.dipole_xy, &cells.rate_xx, &cells.rate_xy, &cells.rest_length, &cells.stiffness})
-        per_node->erase(per_node->begin() + begin, per_node->begin() + end);
-    for (auto* per_cell : {&cells.reference_area, &cells.reference_perimeter, &cells.alpha,
-                           &cells.area, &cells.perimeter})
-        per_cell->erase(per_cell->begin() + cell);
+    for (const auto array : per_node)
+        (cells.*array).erase((cells.*array).begin() + begin, (cells.*array).begin() + end);
+    for (const auto array : per_cell) (cells.*array).erase((cells.*array).begin() + cell);
     cells.id.erase(cells.id.begin() + cell);
+    cells.led.erase(cells.led.begin() + cell);
     cells.first.erase(cells.first.begin() + cell);
     for (int c = cell; c < static_cast<int>(cells.first.size()); ++c) cells.first[c] -= end - begin;
+}
+
+void copy_cell(const Suspension& from, int cell, Vec2 by, Suspension& to) {
+    const int begin = from.first[cell], end = from.first[cell + 1], first = to.first.back();
+    for (const auto array : per_node)
+        (to.*array).insert((to.*array).end(), (from.*array).begin() + begin,
+                           (from.*array).begin() + end);
+    for (const auto array : per_cell) (to.*array).push_back((from.*array)[cell]);
+    to.first.push_back(first + end - begin);
+    for (int n = first; n < to.first.back(); ++n) {
+        to.x[n] += by.x;
+        to.y[n] += by.y;
+    }
+    number_last(to);
 }
 
 void add_cell(Suspension& cells, const std::vector<Vec2>& points) {
@@ -59,7 +92,7 @@ void add_cell(Suspension& cells, const std::vector<Vec2>& points) {
                        &cells.ux_sampled, &cells.uy_sampled})
         zero->resize(cells.x.size(), 0.0);
     size_derived(cells);
-    cells.id.push_back(cells.id.empty() ? 0 : cells.id.back() + 1);
+    number_last(cells);
     cells.reference_area.push_back(0.5 * doubled_area);
     cells.reference_perimeter.push_back(perimeter);
     cells.alpha.push_back(1.0);

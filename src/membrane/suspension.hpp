@@ -33,6 +33,7 @@ struct Suspension {
 
     // Per cell.
     std::vector<std::int32_t> id;             ///< its number for ever, whoever leaves
+    std::vector<std::uint8_t> led;            ///< 1: moved by the feed that it comes from
     std::vector<double> reference_area;       ///< A_ref
     std::vector<double> reference_perimeter;  ///< L₀, the sum of rest lengths
     std::vector<double> alpha;  ///< α(λ_C) of the last step: scales area pressure and repulsion
@@ -74,8 +75,14 @@ inline Outline outline(const Suspension& cells, int cell) {
 /// counter-clockwise, simple.
 void add_cell(Suspension& cells, const std::vector<Vec2>& points);
 
+/// Adds a copy of a cell of another suspension, moved, with the next id.
+void copy_cell(const Suspension& from, int cell, Vec2 by, Suspension& to);
+
 /// Takes a cell out; those after it move up, and keep their ids.
 void remove_cell(Suspension& cells, int cell);
+
+/// Numbers the cells from 0 on; none is led. After they were loaded.
+void number_cells(Suspension& cells);
 
 /// Gives the derived arrays their size: after the nodes were added or loaded.
 void size_derived(Suspension& cells);

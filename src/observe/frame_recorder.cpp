@@ -133,6 +133,12 @@ void FrameRecorder::resume(const ArchiveReader& archive) {
 }
 
 void FrameRecorder::observe(const Snapshot& snapshot) {
+    const AllCells all = all_cells(snapshot.state());
+    if (all.first.size() > header_.first.size()) {
+        FramesHeader now = frames_header(snapshot.model(), snapshot.state(), header_.name);
+        header_.first = now.first;
+        writer_->add_cells(std::move(now.first), std::move(now.rest_length));
+    }
     writer_->write(fields_due(snapshot.step()) ? frame_of(snapshot) : membranes_of(snapshot));
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "observe/entered_cells.hpp"
 #include "observe/frame_recorder.hpp"
 #include "observe/left_cells.hpp"
 #include "observe/port_series.hpp"
@@ -58,6 +59,7 @@ Observers observers_of(const RunRequest& request, const std::filesystem::path& r
     else
         observers.add(std::make_unique<PortSeries>(rows, results, model.port_names));
     if (!model.exits.empty()) observers.add(std::make_unique<LeftCells>(rows, results));
+    if (!model.feeds.empty()) observers.add(std::make_unique<EnteredCells>(rows, results));
     observers.add(std::make_unique<FrameRecorder>(Schedule(frames.si, dt), with_fields, results,
                                                   header, say));
     return observers;

@@ -27,14 +27,14 @@ void Series::resume(const ArchiveReader& archive) {
 std::vector<CellMeasures> Series::with_phase(const Snapshot& snapshot) {
     std::vector<CellMeasures> cells = snapshot.cells();
     const double elapsed = snapshot.time().si - last_time_;
-    const bool first = phase_.empty();
-    if (first) {
-        phase_.resize(cells.size(), 0.0);
-        last_rate_.resize(cells.size(), 0.0);
-    }
     for (CellMeasures& cell : cells) {
         const auto number = static_cast<std::size_t>(cell.cell);
-        if (!first) phase_[number] += 0.5 * (last_rate_[number] + cell.phase_rate.si) * elapsed;
+        if (number < phase_.size()) {
+            phase_[number] += 0.5 * (last_rate_[number] + cell.phase_rate.si) * elapsed;
+        } else {  // the first look at it
+            phase_.resize(number + 1, 0.0);
+            last_rate_.resize(number + 1, 0.0);
+        }
         last_rate_[number] = cell.phase_rate.si;
         cell.phase = phase_[number];
     }
@@ -71,9 +71,10 @@ void Series::examine(const ArchiveReader& archive, const State& state) {
         static_cast<std::size_t>(state.cells.cell_count()) + state.departed.size();
     for (const char* name : {"series.phase", "series.last_rate"}) {
         const auto values = archive.take<double>(name);
-        if (!values.empty() && values.size() != cells)
+        if (values.size() > cells)
             throw DamagedArchive(fmt::format(
-                "the checkpoint cannot be loaded: '{}' is not of one number per cell", name));
+                "the checkpoint cannot be loaded: '{}' has more numbers than there are cells",
+                name));
     }
 }
 

@@ -248,7 +248,7 @@ Json summarise(const std::filesystem::path& results, const SummaryInput& input) 
     if (std::filesystem::exists(results / "ports.csv")) {
         const Table ports = read_csv(results / "ports.csv");
         for (const std::string& name : ports.names)
-            if (name.find(".cells_left") != std::string::npos)
+            if (name.find(".cells_") != std::string::npos)
                 summary[name] = entry(ports.rows() > 0 ? ports.column(name).back() : none, "");
             else if (name != "time" && name != "step")
                 put(name, ports, ports.column(name));

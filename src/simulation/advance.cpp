@@ -49,9 +49,15 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     VectorField<Real>&force = sites.velocity, &velocity = sites.velocity;
     const Walls* const walls = m.boundaries.walls.get();
     const Order order = m.jump.has_dipole() ? Order::first : Order::zeroth;
+    const FeedPopulations<Real> feeds = [&s](int n) -> const Populations<Real>& {
+        return std::get<Sites<Real>>(s.feeds[n].state.sites).populations;
+    };
     const auto done = [times](Pass pass) {
         if (times) times->lap(pass);
     };
+    for (std::size_t n = 0; n < s.feeds.size(); ++n)
+        advance(*m.feeds[n].channel, s.feeds[n].state, x, times,
+                health ? health->of_feed(n) : nullptr);
     if (times) times->start();
 
     // Each thread its share of the cells …
@@ -66,6 +72,7 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     if (walls) cut_at_walls(*walls, s.cells, sites.stencils, sites.cut);
     set_dipoles(m.jump, s.cells);
     if (walls) weaken_dipoles(sites.cut, s.cells);
+    if (!s.feeds.empty()) take_loads(m, s, sites);
     done(Pass::locate);
 
     lay_cytoplasm(m.viscosity, s.cells, s.interior);
@@ -81,12 +88,11 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     update_viscosity(m.viscosity, s.interior, sites.relaxation);
     done(Pass::viscosity);
 
-    collide_and_stream(m.equilibrium, m.boundaries,
-                       {s.drive.body_force, m.drive.lean * s.drive.body_force}, force,
+    collide_and_stream(m.equilibrium, m.boundaries, s.drive.body_force * m.drive.direction, force,
                        sites.relaxation, sites.populations, velocity);  // Eqs. 1–4
     x.fill(velocity);
     settle(x, sites.populations, [&] {  // waits until all velocities are there
-        return sites.borders.apply(m.equilibrium, m.boundaries, velocity, sites.populations,
+        return sites.borders.apply(m.equilibrium, m.boundaries, velocity, feeds, sites.populations,
                                    s.ports);
     });
     done(Pass::fluid);
@@ -94,6 +100,10 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     // … and of the cells again.
     const auto [begin, end] = own_cells(s.cells);
     for (int cell = begin; cell < end; ++cell) {
+        if (const Leader leader = leader_of(m, s, cell)) {
+            follow(leader, s.cells, cell);
+            continue;
+        }
         interpolate(order, sites.stencils, velocity, s.cells, cell);  // Eq. 7
         if (walls) interpolate_cut(order, sites.cut, velocity, s.cells, cell);
         correct_velocities(m.jump, s.cells, cell);

@@ -27,8 +27,8 @@ void derive(const Model& model, Sites<Real>& sites, State& state) {
     const Lattice& lattice = model.lattice;
     sites.velocity = VectorField<Real>(lattice);
     const Walls* const walls = model.boundaries.walls.get();
-    const double push = state.drive.body_force;
-    fill_velocity(sites.populations, {push, model.drive.lean * push}, walls, sites.velocity);
+    fill_velocity(sites.populations, state.drive.body_force * model.drive.direction, walls,
+                  sites.velocity);
     sites.borders = walls ? Borders<Real>(*walls, sites.populations) : Borders<Real>();
     state.ports.resize(model.boundaries.ports.size());
     sites.relaxation = Relaxation<Real>(lattice);
@@ -76,6 +76,14 @@ void derive_kept(const Model& model, State& state) {
             restore_viscosity(model.viscosity, state.cells, state.interior, sites.relaxation);
         },
         state.sites);
+}
+
+void derive_changed(const Model& model, State& state) {
+    const ContactState contact = state.contact;
+    state.contact = {};
+    state.contact.repulsion_count = contact.repulsion_count;
+    state.contact.smallest_gap = contact.smallest_gap;
+    derive_kept(model, state);
 }
 
 void derive(const Model& model, State& state) {

@@ -20,4 +20,8 @@ void derive(const Model& model, State& state);
 /// The same, but the cytoplasm stays where it was last laid: as after reading a checkpoint.
 void derive_kept(const Model& model, State& state);
 
+/// After cells came or went: what is derived is made anew, to the bits that a checkpoint would
+/// give.
+void derive_changed(const Model& model, State& state);
+
 }  // namespace tt

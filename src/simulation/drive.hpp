@@ -8,8 +8,8 @@
 namespace tt {
 
 /// Where the case holds the mean velocity: every `drive_interval` steps the body force that does
-/// so, from the mean of u_x over all sites of the velocity field just computed. One thread; sums in
-/// a fixed order.
+/// so, from the mean velocity over all sites, along x or along a feed, just computed. One thread;
+/// sums in a fixed order.
 inline constexpr int drive_interval = 10;
 inline bool drive_looks_at(const Model& model, std::int64_t step) {
     return model.drive.hold_mean_velocity && step % drive_interval == 0;

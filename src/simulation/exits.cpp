@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "membrane/outline.hpp"
-#include "simulation/derive.hpp"
 #include "simulation/model.hpp"
 #include "simulation/state.hpp"
 
@@ -97,7 +96,8 @@ bool release_cells(const Model& model, State& state) {
     for (int c = 0; c < state.cells.cell_count();) {
         const Vec2 middle = middle_of(outline(state.cells, c));
         bool leaves = false;
-        for (std::size_t n = 0; n < model.exits.size() && !leaves; ++n) {
+        const bool led = state.cells.led[static_cast<std::size_t>(c)] != 0;
+        for (std::size_t n = 0; n < model.exits.size() && !leaves && !led; ++n) {
             leaves = way_to(model.exits[n], model, state.cells, c, middle) < reach;
             if (leaves)
                 state.departed.push_back(
@@ -108,13 +108,7 @@ bool release_cells(const Model& model, State& state) {
         else
             ++c;
     }
-    if (state.departed.size() == before) return false;
-    const ContactState contact = state.contact;
-    state.contact = {};
-    state.contact.repulsion_count = contact.repulsion_count;
-    state.contact.smallest_gap = contact.smallest_gap;
-    derive_kept(model, state);
-    return true;
+    return state.departed.size() > before;
 }
 
 }  // namespace tt

@@ -38,9 +38,8 @@ double way_to(const Exit& exit, const Model& model, const Suspension& cells, int
 /// cells.
 void fade_forces(const Model& model, Suspension& cells);
 
-/// Takes out the cells that have come within the reach of a kernel of a port, and notes each. What
-/// is derived is made anew, to the bits that a checkpoint would give. Between steps, one thread;
-/// true if any left.
+/// Takes out the cells that have come within the reach of a kernel of a port, and notes each, but
+/// not those that are led. Between steps, one thread; true if any left.
 bool release_cells(const Model& model, State& state);
 
 }  // namespace tt

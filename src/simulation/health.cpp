@@ -101,6 +101,7 @@ std::optional<Instability> node_places(const Model& model, const State& state, R
     const double height = model.lattice.ny;
     const Walls* const walls = model.boundaries.walls.get();
     for (int n = cells.first[of_cells.first]; n < cells.first[of_cells.second]; ++n) {
+        if (cells.led[static_cast<std::size_t>(cell_of(cells, n))] != 0) continue;  // by its feed
         const double x = cells.x[n];
         const double y = cells.y[n];
         const bool known = std::abs(x) < farthest && std::abs(y) < farthest;
@@ -194,10 +195,22 @@ std::optional<Instability> crossings(const Model& model, const State& state, Ran
     return std::nullopt;
 }
 
+/// What was found in the channel of a feed, which is no place in the box.
+Instability in_feed(const Model& model, std::size_t feed, Instability what) {
+    const auto port = static_cast<std::size_t>(model.feeds[feed].port);
+    what.quantity += fmt::format(", in the channel that feeds port '{}'", model.port_names[port]);
+    what.cell = what.node = -1;
+    what.x = what.y = std::nan("");
+    return what;
+}
+
 }  // namespace
 
 Health::Health(const HealthLimits& limits, const State& state)
-    : limits_(limits), x_(state.cells.x), y_(state.cells.y) {}
+    : limits_(limits), x_(state.cells.x), y_(state.cells.y) {
+    for (const FeedState& feed : state.feeds)
+        feeds_.push_back(std::make_unique<Health>(limits, feed.state));
+}
 
 std::optional<Instability> Health::node_steps(const Model& model, const State& state) const {
     const Suspension& cells = state.cells;
@@ -231,6 +244,9 @@ void Health::watch_nodes(const Model& model, const Suspension& cells) {
 }
 
 std::optional<Instability> Health::after_step(const Model& model, const State& state, bool all) {
+    for (std::size_t n = 0; n < feeds_.size(); ++n)
+        if (auto found = feeds_[n]->after_step(*model.feeds[n].channel, state.feeds[n].state, all))
+            return in_feed(model, n, *std::move(found));
     if (!nodes_failed_) {
         if (!all) return std::nullopt;
         const Share own{own_rows(model.lattice), own_cells(state.cells)};
@@ -247,6 +263,9 @@ std::optional<Instability> Health::after_step(const Model& model, const State& s
 }
 
 std::optional<Instability> Health::examine(const Model& model, const State& state) const {
+    for (std::size_t n = 0; n < feeds_.size(); ++n)
+        if (auto found = feeds_[n]->examine(*model.feeds[n].channel, state.feeds[n].state))
+            return in_feed(model, n, *std::move(found));
     return examine(model, state, {{0, model.lattice.ny}, {0, state.cells.cell_count()}});
 }
 

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,6 +33,9 @@ public:
     /// Starts anew from the positions in `state`, as some cells are gone.
     void forget(const State& state) { x_ = state.cells.x, y_ = state.cells.y; }
 
+    /// That of the channel of a feed, which is looked after with the network.
+    Health* of_feed(std::size_t n) { return feeds_[n].get(); }
+
     /// Looks at the nodes a step has moved: the way of each since the last call, and its place
     /// between the walls. Cheap; `advance` calls it in every step. Team function, by cells.
     void watch_nodes(const Model& model, const Suspension& cells);
@@ -59,6 +63,7 @@ private:
                                        const Share& share) const;
 
     HealthLimits limits_;
+    std::vector<std::unique_ptr<Health>> feeds_;
     std::vector<double> x_, y_;              ///< positions at the last call
     std::atomic<bool> nodes_failed_{false};  ///< of any thread, in this step
     std::atomic<bool> failed_{false};        ///< the same of everything

@@ -15,6 +15,7 @@
 #include "interaction/contact.hpp"
 #include "membrane/forces.hpp"
 #include "simulation/exits.hpp"
+#include "simulation/feed.hpp"
 #include "simulation/undisturbed.hpp"
 
 namespace tt {
@@ -23,7 +24,9 @@ namespace tt {
 struct Drive {
     double body_force =
         0.0;  ///< uniform, along x; the controller's first guess when it holds the mean velocity
-    double lean = 0.0;  ///< force along y over that along x, which keeps the mean flow along x
+    /// Of the force: along x, or turned such that the mean flow goes along x; of a feed along it.
+    Vec2 direction{1.0, 0.0};
+    double width = 0.0;  ///< across which momentum spreads; 0: that of the box
     bool hold_mean_velocity = false;
     double target_velocity =
         0.0;  ///< mean velocity to hold, or the nominal one; of a network the unit of `undisturbed`
@@ -40,6 +43,7 @@ struct Model {
     Boundaries boundaries;
     std::vector<std::string> port_names;  ///< of boundaries.ports
     std::vector<Exit> exits;              ///< the same ports, as cells meet them
+    std::vector<Feed> feeds;              ///< of those through which cells come
     Vec2 origin;                          ///< of the box, in the coordinates of the drawing
     Drive drive;
     ViscosityModel viscosity;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -112,10 +111,8 @@ void load_ports(const ArchiveReader& archive, const Model& model, State& state) 
         for (const double number : numbers)
             if (!std::isfinite(number)) refuse("'ports' holds a number that is not finite");
     }
-    std::vector<std::int32_t>& id = state.cells.id;
-    id.resize(static_cast<std::size_t>(state.cells.cell_count()));
-    std::iota(id.begin(), id.end(), 0);
     if (!archive.has("departed.id")) return;
+    std::vector<std::int32_t>& id = state.cells.id;
     state.departed = load_departed(archive, model.exits.size());
     id = archive.take<std::int32_t>("id");
     if (id.size() != static_cast<std::size_t>(state.cells.cell_count()))

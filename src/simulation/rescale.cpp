@@ -36,8 +36,8 @@ Populations<Real> rescaled(Kind kind, double ratio, Vec2 body_force,
 void change_time_step(const Model& model, double ratio, State& state) {
     std::visit(
         [&](auto kind, auto& sites) {
-            sites.populations =
-                rescaled(kind, ratio, {state.drive.body_force, 0.0}, sites.populations);
+            sites.populations = rescaled(
+                kind, ratio, state.drive.body_force * model.drive.direction, sites.populations);
         },
         model.equilibrium, state.sites);
     Suspension& cells = state.cells;
@@ -53,6 +53,10 @@ void change_time_step(const Model& model, double ratio, State& state) {
     for (Departed& departed : state.departed) {
         departed.time /= ratio;
         departed.speed *= ratio;
+    }
+    for (std::size_t n = 0; n < state.feeds.size(); ++n) {
+        change_time_step(*model.feeds[n].channel, ratio, state.feeds[n].state);
+        for (Entered& entered : state.feeds[n].entered) entered.time /= ratio;
     }
     state.step = std::llround(static_cast<double>(state.step) / ratio);
 }

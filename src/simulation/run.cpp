@@ -5,9 +5,21 @@
 #include "base/contracts.hpp"
 #include "base/parallel.hpp"
 #include "simulation/advance.hpp"
+#include "simulation/derive.hpp"
 #include "simulation/stop.hpp"
 
 namespace tt {
+namespace {
+
+/// Cells leave and come.
+void let_pass(const Model& model, State& state, Health& health) {
+    const bool left = release_cells(model, state), came = admit_cells(model, state);
+    if (!left && !came) return;
+    derive_changed(model, state);
+    health.forget(state);
+}
+
+}  // namespace
 
 void run_steps(const Model& model, State& state, Exchange& exchange, Health& health,
                std::int64_t until, Clock::time_point wake, StepTimes* times) {
@@ -24,10 +36,7 @@ void run_steps(const Model& model, State& state, Exchange& exchange, Health& hea
         for (std::int64_t next = state.step + 1;; ++next) {
             const bool done = last[next % 2];
             if (team_rank() == 0) decide(next + 1);
-            if (!model.exits.empty())
-                on_one_thread([&] {
-                    if (release_cells(model, state)) health.forget(state);
-                });
+            if (!model.exits.empty()) on_one_thread([&] { let_pass(model, state, health); });
             advance(model, state, exchange, times, &health);
             const auto found = health.after_step(model, state, done || health.due(next));
             if (found && team_rank() == 0) fault = found;

@@ -14,6 +14,7 @@
 #include "interaction/contact.hpp"
 #include "membrane/suspension.hpp"
 #include "simulation/exits.hpp"
+#include "simulation/feed.hpp"
 
 namespace tt {
 
@@ -47,7 +48,8 @@ struct DriveState {
 };
 
 /// All that changes. A checkpoint holds step, populations, cells, drive, the contact counters, the
-/// ports, who left and where the cytoplasm was last laid (interior.x, y); the rest is derived.
+/// ports, who left, the feeds and where the cytoplasm was last laid (interior.x, y); the rest is
+/// derived.
 struct State {
     std::int64_t step = 0;
     SitesInPrecision sites;
@@ -56,6 +58,7 @@ struct State {
     ContactState contact;
     std::vector<PortFlow> ports;     ///< of the openings of the walls
     std::vector<Departed> departed;  ///< cells that left through them
+    std::vector<FeedState> feeds;    ///< as Model::feeds
 
     InteriorState interior;  ///< derived from the above, but for the places kept in it
 
@@ -66,6 +69,14 @@ struct State {
     Moments moments(int i, int j) const {
         return std::visit([&](const auto& s) { return tt::moments(s.populations, i, j); }, sites);
     }
+};
+
+/// A feed's own channel, and whom it leads.
+struct FeedState {
+    State state;
+    std::vector<std::int32_t> turn;  ///< per cell of it: with which it comes to the port next
+    std::vector<Follower> followers;
+    std::vector<Entered> entered;  ///< cells that have come in, in time
 };
 
 }  // namespace tt

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "simulation/derive.hpp"
+#include "simulation/feed_archive.hpp"
 #include "simulation/ports_archive.hpp"
 
 namespace tt {
@@ -50,6 +51,7 @@ void for_each_number(S& state, Visit&& visit) {
     visit("contact.smallest_gap", state.contact.smallest_gap);
 }
 
+std::string name_of_feed(std::size_t n) { return fmt::format("feed{}.", n); }
 std::string plane_name(int i) { return fmt::format("populations.{}", i); }
 
 /// One plane of populations without its halo, row after row. A float is a double too: no bit is
@@ -71,14 +73,14 @@ std::vector<double> plane_of(const Populations<Real>& populations, int i) {
 }
 
 template <class Real>
-void load_populations(const ArchiveReader& archive, Exchange& exchange,
+void load_populations(const ArchiveReader& archive, Exchange& exchange, const std::string& prefix,
                       Populations<Real>& populations) {
     const Lattice& lattice = populations.lattice();
-    const auto odd = archive.value<std::int64_t>("populations.odd") != 0;
+    const auto odd = archive.value<std::int64_t>(prefix + "populations.odd") != 0;
     populations.phase = odd ? Phase::odd : Phase::even;
     const auto nx = static_cast<std::size_t>(lattice.nx);
     for (int i = 0; i < d2q9::count; ++i) {
-        const auto plane = archive.take<double>(plane_name(i));
+        const auto plane = archive.take<double>(prefix + plane_name(i));
         if (plane.size() != nx * lattice.ny) refuse("it is of another lattice");
         for (int j = 0; j < lattice.ny; ++j) {
             const double* const from = plane.data() + nx * j;
@@ -177,38 +179,60 @@ void copy_saved(const State& from, State& to) {
     to.contact.smallest_gap = from.contact.smallest_gap;
     to.ports = from.ports;
     to.departed = from.departed;
+    to.feeds.resize(from.feeds.size());
+    for (std::size_t n = 0; n < from.feeds.size(); ++n) {
+        copy_saved(from.feeds[n].state, to.feeds[n].state);
+        to.feeds[n].turn = from.feeds[n].turn;
+        to.feeds[n].followers = from.feeds[n].followers;
+        to.feeds[n].entered = from.feeds[n].entered;
+    }
     to.interior.x = from.interior.x;
     to.interior.y = from.interior.y;
 }
 
-void save_state(ArchiveOutput& archive, const State& state) {
-    for_each_number(state, [&](const char* name, auto value) { archive.put_value(name, value); });
-    for_each_array(state, [&](const char* name, const auto& values) { archive.put(name, values); });
-    save_ports(archive, state);
+void save_state(ArchiveOutput& archive, const State& state, const std::string& prefix) {
+    for_each_number(state,
+                    [&](const char* name, auto value) { archive.put_value(prefix + name, value); });
+    for_each_array(
+        state, [&](const char* name, const auto& values) { archive.put(prefix + name, values); });
+    if (prefix.empty()) save_ports(archive, state);
     std::visit(
         [&](const auto& sites) {
             const auto& populations = sites.populations;
-            archive.put_value<std::int64_t>("populations.odd", populations.phase == Phase::odd);
+            archive.put_value<std::int64_t>(prefix + "populations.odd",
+                                            populations.phase == Phase::odd);
             for (int i = 0; i < d2q9::count; ++i)
-                archive.put(plane_name(i), plane_of(populations, i));
+                archive.put(prefix + plane_name(i), plane_of(populations, i));
         },
         state.sites);
+    for (std::size_t n = 0; n < state.feeds.size(); ++n) {
+        save_state(archive, state.feeds[n].state, name_of_feed(n));
+        save_led(archive, state.feeds[n], name_of_feed(n));
+    }
 }
 
-State load_state(const ArchiveReader& archive, const Model& model, Exchange& exchange) {
+State load_state(const ArchiveReader& archive, const Model& model, Exchange& exchange,
+                 const std::string& prefix) {
     State state;
     for_each_number(state, [&](const char* name, auto& value) {
-        value = archive.value<std::remove_cvref_t<decltype(value)>>(name);
+        value = archive.value<std::remove_cvref_t<decltype(value)>>(prefix + name);
     });
     for_each_array(state, [&](const char* name, auto& values) {
-        values = archive.take<typename std::remove_cvref_t<decltype(values)>::value_type>(name);
+        values =
+            archive.take<typename std::remove_cvref_t<decltype(values)>::value_type>(prefix + name);
     });
     expect_sound(model.lattice, state);
-    load_ports(archive, model, state);
+    number_cells(state.cells);
+    if (prefix.empty()) load_ports(archive, model, state);
     size_derived(state.cells);
     state.sites = sites_at_rest(model.lattice, model.precision);
-    std::visit([&](auto& sites) { load_populations(archive, exchange, sites.populations); },
+    std::visit([&](auto& sites) { load_populations(archive, exchange, prefix, sites.populations); },
                state.sites);
+    for (std::size_t n = 0; n < model.feeds.size(); ++n) {
+        FeedState& feed = state.feeds.emplace_back();
+        feed.state = load_state(archive, *model.feeds[n].channel, exchange, name_of_feed(n));
+        load_led(archive, name_of_feed(n), feed, state);
+    }
     derive_kept(model, state);
     return state;
 }
@@ -228,6 +252,11 @@ std::uint64_t state_hash(const State& state) {
             }
         },
         state.sites);
+    for (const FeedState& feed : state.feeds) {
+        const std::uint64_t channel = state_hash(feed.state);
+        sum.add(&channel, sizeof channel);
+        hash_led(feed, sum);
+    }
     return sum.value();
 }
 

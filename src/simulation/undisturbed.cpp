@@ -51,7 +51,7 @@ struct Settling {
         collide_and_stream(LinearEquilibrium{}, boundaries, push, no_force, relaxation, populations,
                            velocity);
         settle(exchange, populations, [&] {
-            return borders.apply(LinearEquilibrium{}, boundaries, velocity, populations, ports);
+            return borders.apply(LinearEquilibrium{}, boundaries, velocity, {}, populations, ports);
         });
         team_barrier();
     }

@@ -1,5 +1,6 @@
 #include "io/frames.hpp"
 
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 
@@ -98,6 +99,34 @@ TEST_F(Frames, a_merged_file_can_be_continued) {
     resumed.write(frame(3));
     resumed.merge();
     expect_frames(path("frames.h5"), 4);
+}
+
+/// Cells that come have places after those that were there; a frame from before has none of theirs.
+TEST_F(Frames, grow_with_the_cells_that_come) {
+    const auto expect_grown = [&] {
+        const FramesReader reader(path("frames.h5"));
+        EXPECT_EQ(reader.header().first, (std::vector<std::int32_t>{0, 2, 5, 9}));
+        ASSERT_EQ(reader.count(), 2);
+        EXPECT_TRUE(reader.faults().empty());
+        EXPECT_EQ(reader.stored(0).nodes, frame(0).nodes);
+        const Frame before = reader.frame(0), after = reader.frame(1);
+        ASSERT_EQ(before.nodes.size(), 18u);
+        EXPECT_EQ(before.nodes[9], 10.0);
+        EXPECT_TRUE(std::isnan(before.nodes[10]));
+        EXPECT_TRUE(std::isnan(before.node_velocity[17]));
+        EXPECT_EQ(after.nodes[17], 18.0);
+    };
+    FramesWriter writer(directory(), header(), {});
+    writer.write(frame(0));
+    writer.add_cells({0, 2, 5, 9}, {});
+    Frame more = frame(1);
+    for (double x = 11.0; x <= 18.0; ++x) more.nodes.push_back(x);
+    more.node_force.resize(18, 0.5);
+    more.node_velocity.resize(18, -0.25);
+    writer.write(more);
+    expect_grown();
+    writer.merge();
+    expect_grown();
 }
 
 TEST_F(Frames, a_damaged_file_is_an_error_and_no_crash) {
