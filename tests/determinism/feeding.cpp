@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -75,6 +77,19 @@ end = "20 ms"
         Health health({}, state);
         run_steps(with, state, exchange, health, until, Clock::time_point::max());
     }
+
+    /// Of both ports over so many steps, as a share of what the first holds.
+    static std::pair<double, double> mean_inflows(const Model& model, State& state, int steps) {
+        double in = 0.0, out = 0.0;
+        for (int k = 0; k < steps; ++k) {
+            run(model, state, state.step + 1);
+            in += state.ports[0].mean_inflow() / steps;
+            out += state.ports[1].mean_inflow() / steps;
+        }
+        const double held = model.feeds.front().channel->drive.target_velocity * 12.0 / 0.4 *
+                            model.boundaries.walls->sampled_flow();
+        return {in / held, out / held};
+    }
 };
 
 std::size_t entered(const State& state) { return state.feeds.front().entered.size(); }
@@ -88,7 +103,7 @@ TEST_F(Feeding, counts_every_cell_that_comes_and_goes) {
     const Model model = discretise(c);
     State state = initial_state(c, model, {});
     const auto start = static_cast<std::size_t>(state.cells.cell_count()) - entered(state);
-    run(model, state, 6000);
+    run(model, state, 4000);
     EXPECT_GT(entered(state), 5u);
     EXPECT_GT(state.departed.size(), 5u);
     EXPECT_EQ(start + entered(state),
@@ -99,10 +114,9 @@ TEST_F(Feeding, counts_every_cell_that_comes_and_goes) {
     EXPECT_EQ(*numbers.rbegin() + 1, static_cast<std::int64_t>(numbers.size()));
     for (const Departed& d : state.departed) EXPECT_EQ(d.exit, 1);
     // As much comes in as the port holds, and all of it goes out.
-    const double held = model.feeds.front().channel->drive.target_velocity * 12.0 / 0.4;
-    EXPECT_NEAR(state.ports[0].mean_inflow() / model.boundaries.walls->sampled_flow() / held, 1.0,
-                2e-3);
-    EXPECT_NEAR(state.ports[1].mean_inflow() / state.ports[0].mean_inflow(), -1.0, 2e-2);
+    const auto [in, out] = mean_inflows(model, state, 300);
+    EXPECT_NEAR(in, 1.0, 3e-3);
+    EXPECT_NEAR(out, -1.0, 2e-2);
 }
 
 /// In a straight channel a cell that has come in goes on as the one in the feed that led it.
@@ -134,6 +148,7 @@ TEST_F(Feeding, is_not_felt_by_the_cells) {
     EXPECT_LT(norm(off()), 0.02);
     const double from = middle(state.cells, here()).x;
     while (middle(state.cells, here()).x < from + 30.0) run(model, state, state.step + 10);
+    std::printf("off by %.3g, %.3g sites after 30 behind the port\n", off().x, off().y);
     EXPECT_LT(std::fabs(off().y), 0.15) << "sites aside after 30 along";
     EXPECT_LT(std::fabs(off().x), 0.6) << "2 % of the way";
     const double stretch = perimeter(outline(state.cells, here())) /
@@ -177,10 +192,8 @@ TEST_F(Feeding, is_the_same_turned) {
         State state = initial_state(c, model, {});
         run(model, state, 1500);
         EXPECT_GT(entered(state), 1u) << turns;
-        const double held = model.feeds.front().channel->drive.target_velocity * 12.0 / 0.4;
-        EXPECT_NEAR(state.ports[0].mean_inflow() / model.boundaries.walls->sampled_flow() / held,
-                    1.0, 5e-3)
-            << turns;
+        EXPECT_NEAR(mean_inflows(model, state, 100).first, 1.0, 1e-2) << turns;
+        const double held = model.feeds.front().channel->drive.target_velocity;
         flows.push_back(held);
         // Cells are carried along, at some speed between none and the largest.
         for (int cell = 0; cell < state.cells.cell_count(); ++cell) {
@@ -188,8 +201,8 @@ TEST_F(Feeding, is_the_same_turned) {
             for (int n = state.cells.first[cell]; n < state.cells.first[cell + 1]; ++n)
                 mean += state.cells.velocity(n) / state.cells.node_count(cell);
             const double along = dot(mean, model.feeds.front().in);
-            EXPECT_GT(along, 0.2 * held / 30.0) << turns;
-            EXPECT_LT(along, 1.7 * held / 30.0) << turns;
+            EXPECT_GT(along, 0.2 * held) << turns;
+            EXPECT_LT(along, 1.7 * held) << turns;
         }
     }
     for (const double flow : flows) EXPECT_NEAR(flow / flows[0], 1.0, 1e-9);

@@ -120,7 +120,8 @@ void run(Scene<Real>& s, int steps, int threads) {
             collide_and_stream(s.equilibrium, s.boundaries, {1e-4, 2e-4}, s.force, s.relaxation,
                                s.populations, velocity);
             settle(exchange, s.populations, [&] {
-                return borders.apply(s.equilibrium, s.boundaries, velocity, s.populations, s.ports);
+                return borders.apply(s.equilibrium, s.boundaries, velocity, {}, s.populations,
+                                     s.ports);
             });
             team_barrier();
         }
