@@ -56,7 +56,7 @@ struct Flow {
             collide_and_stream(equilibrium, boundaries, body_force, force, relaxation, populations,
                                velocity);
             settle(exchange, populations, [&] {
-                return borders.apply(equilibrium, boundaries, velocity, populations, ports);
+                return borders.apply(equilibrium, boundaries, velocity, {}, populations, ports);
             });
         }
     }
