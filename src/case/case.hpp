@@ -12,6 +12,7 @@
 #include "base/quantity.hpp"
 #include "case/cells_case.hpp"
 #include "case/geometry_case.hpp"
+#include "case/wave.hpp"
 #include "coupling/delta/delta.hpp"
 #include "coupling/viscosity.hpp"
 #include "fluid/equilibrium.hpp"
@@ -93,6 +94,7 @@ struct ShearDrive {
 struct FlowCase {
     std::variant<NoDrive, PressureDrive, BodyForceDrive, ShearDrive> drive;
     FluidStart start = FluidStart::developed;
+    WaveCase waveform;
 
     /// Of a channel, or of moving walls; else nothing.
     const ChannelFlow* channel() const;

@@ -53,6 +53,16 @@ Undisturbed choose_flow(const Case& c, Choice& choice) {
     return {Rate{k}, Rate{at_walls * k}, choice.largest_speed};
 }
 
+/// Where it changes in time, as large as it becomes: of a network the sum of all it may be.
+Undisturbed at_its_largest(const Case& c, Undisturbed flow, Choice& choice) {
+    double largest = largest_factor(c.flow.waveform);
+    for (const PortCase& port : c.ports) largest = std::max(largest, largest_factor(port.waveform));
+    flow.wall_rate.si *= largest;
+    flow.largest_speed.si *= largest;
+    choice.largest_speed = flow.largest_speed;
+    return flow;
+}
+
 /// The relaxation time that allows the longest step, in hundredths; of equals the nearest to the
 /// usual one, so that stress follows no later than it need. Inertia asks for a small S and with it
 /// for a large τ, stress delay and stability for a small one: the longest step has one hill.
@@ -243,7 +253,7 @@ Choice choose(const Case& c) {
     choice.delta = choose_delta(c);
     choice.precision = choose_precision(c);
     choice.jump_correction = choose_jump_correction(c);
-    choose_step(c, choose_flow(c, choice), choice);
+    choose_step(c, at_its_largest(c, choose_flow(c, choice), choice), choice);
     choice.node_spacing = node_spacing(c);
     choice.area_stiffness = choose_area_stiffness(c, choice);
     return choice;

@@ -46,8 +46,39 @@ void judge_channel(Judge& judge, const FlowCase& flow) {
                    "what to hold");
 }
 
+/// What changes in time, at `path`, of something that can (`why` not is empty).
+void judge_wave(Judge& judge, const WaveCase& wave, const std::string& path,
+                const std::string& why) {
+    if (std::holds_alternative<SteadyWave>(wave)) return;
+    if (!why.empty()) return judge.tell({path + ".waveform"}, why);
+    const auto* table = std::get_if<TableWave>(&wave);
+    if (!table) return;
+    const auto& times = table->times;
+    const bool rising = times.size() > 1 && times.front().si == 0.0 &&
+                        std::adjacent_find(times.begin(), times.end(),
+                                           [](Time a, Time b) { return !(a < b); }) == times.end();
+    if (!rising)
+        judge.tell({path + ".times", path + ".waveform"},
+                   "times are two or more, the first 0 and each later than the one before; write "
+                   "times = [\"0 s\", \"0.3 s\", \"1 s\"]");
+    if (table->factors.size() != times.size())
+        judge.tell({path + ".factors", path + ".waveform"},
+                   fmt::format("there are {} factors and {} times; write a factor for each",
+                               table->factors.size(), times.size()));
+}
+
 void judge_flow(Judge& judge, const Case& c) {
     const FlowCase& flow = c.flow;
+    judge_wave(judge, flow.waveform, "flow",
+               c.network() ? "of channels between ports each port has its own; write waveform in "
+                             "[port.NAME]"
+               : !flow.channel()
+                   ? fmt::format("drive = \"{}\" does not change in time; write drive = "
+                                 "\"pressure\", or leave waveform out",
+                                 word_of(flow.drive))
+               : flow.channel()->hold == Hold::mean_velocity
+                   ? "a mean velocity that is held does not change in time; leave hold out"
+                   : "");
     if (flow.channel()) judge_channel(judge, flow);
     if (flow.shear() && !judge.given("flow.shear_rate") && !judge.given("flow.shear_number"))
         judge.tell({"flow.drive"},
@@ -134,6 +165,8 @@ void judge_port(Judge& judge, const Case& c, const PortCase& port) {
         judge.tell({path},
                    "nothing is asked of this port; write pressure = \"0 Pa\", flow_rate = "
                    "\"0.02 mm^2/s\" or mean_velocity = \"1 mm/s\"");
+    judge_wave(judge, port.waveform, path,
+               port.feeds() ? "cells come in with a steady flow; leave waveform out here" : "");
     judge_feed(judge, c, port);
     if (!std::holds_alternative<DrawnShape>(c.geometry.shape))
         judge.tell({path}, fmt::format("a port means nothing with shape = \"{}\"; write shape = "

@@ -47,6 +47,27 @@ ContactModel contact_of(const Case& c, const Scales& scales) {
     return contact;
 }
 
+Waveform waveform_of(const WaveCase& wave, const Scales& scales) {
+    Waveform waveform;
+    if (const auto* sine = std::get_if<SineWave>(&wave)) {
+        waveform.amplitude = sine->amplitude;
+        waveform.frequency = scales.to_lattice(sine->frequency);
+    } else if (const auto* table = std::get_if<TableWave>(&wave)) {
+        for (const Time time : table->times) waveform.time.push_back(scales.to_lattice(time));
+        waveform.factor = table->factors;
+    }
+    return waveform;
+}
+
+/// Of all ports, or none if all are steady.
+std::vector<Waveform> port_waves(const Case& c, const Scales& scales) {
+    std::vector<Waveform> waves;
+    for (const PortCase& port : c.ports) waves.push_back(waveform_of(port.waveform, scales));
+    const auto steady = [](const Waveform& wave) { return wave.steady(); };
+    if (std::all_of(waves.begin(), waves.end(), steady)) waves.clear();
+    return waves;
+}
+
 /// In lattice units.
 std::vector<PortCondition> port_conditions(const Case& c, const Choice& choice, const Model& m) {
     std::vector<PortCondition> conditions = slow_ports(c, choice, *choice.walls);
@@ -126,6 +147,7 @@ Model discretise(const Case& c, const Choice& choice) {
         m.drive.target_velocity = m.scales.to_lattice(Velocity{1.0});
         m.exits = exits_of(c, choice);
         m.origin = choice.origin / choice.dx.si;
+        m.port_waves = port_waves(c, m.scales);
         m.feeds = feeds_of(c, choice, m);
         for (std::size_t n = 0; n < m.feeds.size(); ++n)
             m.boundaries.ports[static_cast<std::size_t>(m.feeds[n].port)] =
@@ -140,8 +162,10 @@ Model discretise(const Case& c, const Choice& choice) {
         m.drive.target_velocity = m.shear_rate * m.lattice.ny;
         // A controller acts through the body force; a constant drop acts where the case says.
         // Between walls of any shape a force everywhere is the same flow as a drop at the ends.
+        // So it is where the drop changes in time.
+        m.drive.waveform = waveform_of(c.flow.waveform, m.scales);
         if (std::holds_alternative<PressureDrive>(c.flow.drive) && !m.drive.hold_mean_velocity &&
-            !choice.walls) {
+            !choice.walls && m.drive.waveform.steady()) {
             m.boundaries.pressure_drop = gradient * m.lattice.nx;
         } else {
             m.drive.body_force = gradient;

@@ -98,6 +98,7 @@ Model channel_of(const Gate& gate, int period, double mean_velocity, const Model
     m.boundaries = {};
     m.boundaries.walls = m.contact.walls = walls;
     m.port_names = {};
+    m.port_waves = {};
     m.exits = {};
     m.feeds = {};
     m.undisturbed = std::make_shared<const UndisturbedFlow>(

@@ -9,6 +9,7 @@
 
 #include "base/choice.hpp"
 #include "base/quantity.hpp"
+#include "case/wave.hpp"
 #include "geometry/loops.hpp"
 
 namespace tt {
@@ -65,6 +66,7 @@ struct PortCase {
     std::optional<Pressure> pressure;
     std::optional<KinematicViscosity> flow_rate;  ///< per depth
     std::optional<Velocity> mean_velocity;
+    WaveCase waveform;  ///< of what it holds
     FeedCase feed;
 
     bool feeds() const { return feed.hematocrit.has_value(); }

@@ -207,7 +207,8 @@ Suspension suspended_cells(const Case& c, const Model& m, const LayoutWatch& wat
 /// The flow without cells: Couette between the walls, the Poiseuille flow of the nominal rate, or
 /// what plasma alone does between walls of any shape.
 void add_flow_without_cells(const Model& m, VectorField<>& velocity, Field<>& density) {
-    const double height = m.lattice.ny, mean = m.drive.target_velocity;
+    const double height = m.lattice.ny;
+    const double mean = m.drive.target_velocity * m.drive.waveform.at(0.0);
     for (int j = 0; j < m.lattice.ny; ++j) {
         const double y = j + 0.5;
         const double couette = m.boundaries.bottom_speed +

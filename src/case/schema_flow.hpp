@@ -98,6 +98,39 @@ struct FieldList<ShearDrive> {
 };
 
 template <>
+struct FieldList<SineWave> {
+    using T = SineWave;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"frequency",
+                   &T::frequency,
+                   "f of the factor 1 + amplitude * sin(2 pi f t)",
+                   Range{0.0, 1e6, true, false},
+                   {},
+                   "1 Hz"},
+        FieldEntry{"amplitude", &T::amplitude, "of that factor", Range{-100.0, 100.0}, {}, "0.5"},
+    };
+};
+
+template <>
+struct FieldList<TableWave> {
+    using T = TableWave;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"times",
+                   &T::times,
+                   "of the points of one period, from 0 to its end; it repeats",
+                   Range{0.0, 1e6},
+                   {},
+                   "[\"0 s\", \"0.3 s\", \"1 s\"]"},
+        FieldEntry{"factors",
+                   &T::factors,
+                   "at these times, straight between them",
+                   Range{-100.0, 100.0},
+                   {},
+                   "[1.0, 2.0, 1.0]"},
+    };
+};
+
+template <>
 struct FieldList<FlowCase> {
     using T = FlowCase;
     static constexpr auto entries = std::tuple{
@@ -106,6 +139,8 @@ struct FieldList<FlowCase> {
                    "or nothing"},
         FieldEntry{"start", &T::start,
                    "the fluid at time zero: the flow without cells, or at rest"},
+        FieldEntry{"waveform", &T::waveform,
+                   "of the pressure drop or body force, in time: a factor of it"},
     };
 };
 

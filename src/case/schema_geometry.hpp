@@ -114,6 +114,7 @@ struct FieldList<PortCase> {
                    Range{-100.0, 100.0},
                    {},
                    "1 mm/s"},
+        FieldEntry{"waveform", &T::waveform, "of what the port holds, in time"},
         FieldEntry{"feed", &T::feed, "cells that come in through this port"},
     };
 };

@@ -109,6 +109,19 @@ public:
                         auto_bending_step_number));
     }
 
+    /// The density is raised by S, and the flow then answers S times later, in S H²/(π² ν): no more
+    /// than a share of 1/(2π f).
+    void add_unsteady(double frequency, double width) {
+        const double physical =
+            2.0 * frequency * width * width * density() / (std::numbers::pi * viscosity());
+        const double scale = 1.0 + tolerance() / physical;
+        add_accuracy(
+            "unsteady drive", half_step_ * dx_ * dx_ * density() / (3.0 * viscosity()) * scale,
+            fmt::format("(S - 1) 2 f H^2 / (pi nu) <= {:.2g} (physical, at S = 1: {:.2g}): "
+                        "how late the flow answers",
+                        tolerance(), physical));
+    }
+
     void add_physical() {
         add("none", half_step_ * dx_ * dx_ * density() / (3.0 * viscosity()),
             "nothing moves: S = 1");
@@ -137,6 +150,14 @@ private:
     double dx_, half_step_;
     std::vector<StepLimit> limits_;
 };
+
+/// Of all that changes in time.
+double highest_frequency(const Case& c) {
+    double frequency = frequency_of(c.flow.waveform);
+    for (const PortCase& port : c.ports)
+        frequency = std::max(frequency, frequency_of(port.waveform));
+    return frequency;
+}
 
 }  // namespace
 
@@ -178,6 +199,8 @@ std::vector<StepLimit> step_limits(const Case& c, const Undisturbed& flow,
         std::holds_alternative<FullEquilibrium>(equilibrium))
         limits.add_density_drop();
     if (moves) limits.add_mach();
+    if (const double frequency = highest_frequency(c); moves && frequency > 0.0)
+        limits.add_unsteady(frequency, c.domain.width.si);
     if (cells) limits.add_tension(membrane, stretch);
     if (cells) limits.add_bending(membrane, stretch);
     if (limits.empty()) limits.add_physical();

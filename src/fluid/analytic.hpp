@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <complex>
 
 #include "base/vec2.hpp"
 
@@ -16,6 +17,17 @@ inline double couette(double y, double height, double bottom_speed, double top_s
 /// Flow between resting plates driven by a force per volume g: μ u″ = −g, so u = g y (H − y)/(2μ).
 inline double poiseuille(double y, double height, double viscosity, double force) {
     return force * y * (height - y) / (2.0 * viscosity);
+}
+
+/// Womersley flow between resting plates: a force per mass g sin ωt has, long after its start,
+/// u = Im [g/(iω) (1 − cosh(λ (y − H/2))/cosh(λ H/2)) e^{iωt}], λ² = iω/ν.
+inline double womersley(double y, double height, double kinematic_viscosity, double force,
+                        double angular_frequency, double time) {
+    const std::complex<double> i(0.0, 1.0), at = i * angular_frequency;
+    const std::complex<double> wave = std::sqrt(at / kinematic_viscosity);
+    const std::complex<double> across =
+        1.0 - std::cosh(wave * (y - 0.5 * height)) / std::cosh(0.5 * wave * height);
+    return (force / at * across * std::exp(at * time)).imag();
 }
 
 /// Two layers of dynamic viscosities μ_b (0 ≤ y ≤ a) and μ_t (a ≤ y ≤ H) between plates.

@@ -51,10 +51,11 @@ void Ports<Real>::apply(const std::vector<PortCondition>& conditions,
         }
         double density = 0.0;
         if (const auto* held = std::get_if<HeldDensity>(&conditions[n]))
-            density = held->deviation;
+            density = flow[n].factor * held->deviation;
         else
-            density = (std::get<HeldInflow>(conditions[n]).rate + 2.0 * gone - extra) /
-                      (2.0 * port.weight);
+            density =
+                (flow[n].factor * std::get<HeldInflow>(conditions[n]).rate + 2.0 * gone - extra) /
+                (2.0 * port.weight);
         flow[n].density = {density, flow[n].density[0]};
         flow[n].inflow = {2.0 * port.weight * density + extra - 2.0 * gone, flow[n].inflow[0]};
         for (const Link& link : port.links) {

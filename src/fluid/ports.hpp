@@ -37,6 +37,7 @@ using FeedPopulations = std::function<const Populations<Real>&(int feed)>;
 /// lattice conserves besides momentum, which changes sign from step to step.
 struct PortFlow {
     std::array<double, 2> density{}, inflow{};
+    double factor = 1.0;  ///< of what the port holds in the coming step
 
     double mean_density() const { return 0.5 * (density[0] + density[1]); }
     double mean_inflow() const { return 0.5 * (inflow[0] + inflow[1]); }

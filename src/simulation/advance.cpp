@@ -121,6 +121,7 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     on_one_thread([&] {
         hold_flow(m, s);
         ++s.step;
+        follow_waves(m, s);
     });
     done(Pass::move);
 }

@@ -1,6 +1,7 @@
 #include "simulation/derive.hpp"
 
 #include "fluid/moments.hpp"
+#include "simulation/drive.hpp"
 
 namespace tt {
 
@@ -27,10 +28,11 @@ void derive(const Model& model, Sites<Real>& sites, State& state) {
     const Lattice& lattice = model.lattice;
     sites.velocity = VectorField<Real>(lattice);
     const Walls* const walls = model.boundaries.walls.get();
+    state.ports.resize(model.boundaries.ports.size());
+    follow_waves(model, state);
     fill_velocity(sites.populations, state.drive.body_force * model.drive.direction, walls,
                   sites.velocity);
     sites.borders = walls ? Borders<Real>(*walls, sites.populations) : Borders<Real>();
-    state.ports.resize(model.boundaries.ports.size());
     sites.relaxation = Relaxation<Real>(lattice);
     sites.stencils = Stencils<Real>(state.cells.node_count());
     locate(model.delta, lattice, state.cells, sites.stencils);

@@ -36,4 +36,14 @@ void hold_flow(const Model& model, State& state) {
     drive.body_force = model.drive.body_force + (3.0 * error + drive.integral) / response;
 }
 
+void follow_waves(const Model& model, State& state) {
+    const auto now = static_cast<double>(state.step);
+    const Drive& drive = model.drive;
+    if (!drive.waveform.steady())
+        state.drive.body_force = drive.body_force * drive.waveform.at(now);
+    // What comes in through ports is there at the end of the step.
+    for (std::size_t n = 0; n < model.port_waves.size(); ++n)
+        state.ports[n].factor = model.port_waves[n].at(now + 1.0);
+}
+
 }  // namespace tt

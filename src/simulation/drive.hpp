@@ -16,4 +16,8 @@ inline bool drive_looks_at(const Model& model, std::int64_t step) {
 }
 void hold_flow(const Model& model, State& state);
 
+/// What drives the coming step where it changes in time: body force, and the factor of what each
+/// port holds. One thread.
+void follow_waves(const Model& model, State& state);
+
 }  // namespace tt

@@ -17,6 +17,7 @@
 #include "simulation/exits.hpp"
 #include "simulation/feed.hpp"
 #include "simulation/undisturbed.hpp"
+#include "simulation/waveform.hpp"
 
 namespace tt {
 
@@ -26,6 +27,7 @@ struct Drive {
         0.0;  ///< uniform, along x; the controller's first guess when it holds the mean velocity
     /// Of the force: along x, or turned such that the mean flow goes along x; of a feed along it.
     Vec2 direction{1.0, 0.0};
+    Waveform waveform;   ///< of the force
     double width = 0.0;  ///< across which momentum spreads; 0: that of the box
     bool hold_mean_velocity = false;
     double target_velocity =
@@ -42,6 +44,7 @@ struct Model {
     Precision precision = Precision::fp64;  ///< of what the sites hold
     Boundaries boundaries;
     std::vector<std::string> port_names;  ///< of boundaries.ports
+    std::vector<Waveform> port_waves;     ///< of what they hold; none: all steady
     std::vector<Exit> exits;              ///< the same ports, as cells meet them
     std::vector<Feed> feeds;              ///< of those through which cells come
     Vec2 origin;                          ///< of the box, in the coordinates of the drawing
