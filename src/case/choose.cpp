@@ -12,6 +12,7 @@
 #include "case/choose_network.hpp"
 #include "base/processors.hpp"
 #include "case/membrane_of.hpp"
+#include "case/sections.hpp"
 #include "case/walls_of.hpp"
 
 namespace tt {
@@ -208,7 +209,10 @@ Lattice lattice_of(const Case& c, const Choice& choice) {
 
 /// Walls that are not those of the lattice, and what plasma alone does between them.
 void choose_walls(const Case& c, Choice& choice) {
-    if (c.geometry.straight()) return;
+    if (c.geometry.straight()) {
+        choice.sections = lattice_sections(c, choice, nullptr);
+        return;
+    }
     constexpr double most = 4e6;
     expect_sites(c, choice, most, "can be had between walls of any shape");
     const Solid solid = scaled(moved(solid_of(c), -choice.origin), 1.0 / choice.dx.si);
@@ -225,10 +229,16 @@ void choose_walls(const Case& c, Choice& choice) {
         for (const std::string& message : messages) faults.push_back({"", 0, 0, message});
         throw CaseError(std::move(faults));
     }
+    choice.sections = lattice_sections(c, choice, walls.get());
+    std::vector<SectionLine> lines;
+    for (const Section& section : choice.sections) lines.push_back(section.line);
+    const int threads = usable_processors();
     choice.undisturbed = std::make_shared<const UndisturbedFlow>(
-        c.network() ? undisturbed_flow(*walls, slow_ports(c, choice, *walls), usable_processors())
-                    : undisturbed_flow(*walls, usable_processors()));
+        c.network() ? undisturbed_flow(*walls, slow_ports(c, choice, *walls), lines, threads)
+                    : undisturbed_flow(*walls, lines, threads));
     choice.walls = std::move(walls);
+    for (std::size_t n = 0; n < lines.size(); ++n)
+        choice.sections[n].plasma = choice.undisturbed->sections[n];
 }
 
 Choice choose(const Case& c) {

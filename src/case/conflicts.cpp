@@ -11,6 +11,8 @@
 #include "base/units.hpp"
 #include "case/channel_flow.hpp"
 #include "case/judge.hpp"
+#include "case/sections.hpp"
+#include "case/table_names.hpp"
 
 namespace tt {
 namespace {
@@ -87,16 +89,7 @@ void judge_geometry(Judge& judge, const Case& c) {
 void judge_port(Judge& judge, const Case& c, const PortCase& port) {
     const std::string path = "port." + port.name;
     const auto key = [&](std::string_view name) { return fmt::format("{}.{}", path, name); };
-    const auto proper = [](char letter) {
-        return letter == '_' || letter == '-' || (letter >= '0' && letter <= '9') ||
-               (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z');
-    };
-    constexpr std::size_t longest = 32;
-    if (port.name.empty() || port.name.size() > longest ||
-        !std::all_of(port.name.begin(), port.name.end(), proper))
-        judge.tell({path}, fmt::format("the name of a port has letters, digits, _ and -, at most "
-                                       "{}; write [port.inlet]",
-                                       longest));
+    if (!is_table_name(port.name)) judge.tell({path}, table_name_fault("port"));
     if (port.at.size() != 2)
         judge.tell({key("at"), path},
                    "at is a point on the port; write at = [\"0 um\", \"10 um\"]");
@@ -232,6 +225,7 @@ std::vector<Fault> find_conflicts(const Case& c, const Places& places, const std
     judge_flow(judge, c);
     judge_geometry(judge, c);
     judge_ports(judge, c);
+    judge_section_keys(judge, c);
     judge_cells(judge, c);
     judge_numerics(judge);
     return std::move(judge.faults);

@@ -5,6 +5,7 @@
 
 #include "case/choose_network.hpp"
 #include "case/membrane_of.hpp"
+#include "case/sections.hpp"
 #include "membrane/implicit_tension.hpp"
 
 namespace tt {
@@ -126,6 +127,9 @@ Model discretise(const Case& c, const Choice& choice) {
         m.exits = exits_of(c, choice);
         m.origin = choice.origin / choice.dx.si;
     }
+    m.sections = choice.sections;
+    m.forks = forks_of(c, m.sections);
+    m.stretches = stretches_of(c, choice);
     const double gradient = m.scales.to_lattice(choice.pressure_gradient);
     if (c.flow.shear()) {
         m.boundaries.top_speed = 0.5 * m.shear_rate * m.lattice.ny;

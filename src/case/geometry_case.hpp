@@ -60,6 +60,26 @@ struct PortCase {
 
     friend bool operator==(const PortCase&, const PortCase&) = default;
 };
+/// Where something is measured: [section.NAME]. Flow to the right of the way from one end to the
+/// other is positive.
+struct SectionCase {
+    std::string name;              ///< of the table; no key
+    std::vector<Length> from, to;  ///< [x, y], its ends
+    friend bool operator==(const SectionCase&, const SectionCase&) = default;
+};
+/// Sections around a place where a channel parts in two: [fork.NAME].
+struct ForkCase {
+    std::string name;
+    std::string parent;
+    std::vector<std::string> daughters;
+    friend bool operator==(const ForkCase&, const ForkCase&) = default;
+};
+/// A channel between two sections, of which the resistance is told: [stretch.NAME].
+struct StretchCase {
+    std::string name;
+    std::string from, to;
+    friend bool operator==(const StretchCase&, const StretchCase&) = default;
+};
 struct GeometryCase {
     std::variant<StraightShape, StenosisShape, PostsShape, DrawnShape> shape;
 

@@ -94,4 +94,37 @@ struct FieldList<PortCase> {
     };
 };
 
+template <>
+struct FieldList<SectionCase> {
+    using T = SectionCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"from", &T::from,
+                   "one end of a line along x or y across a channel, from wall to wall; flow to "
+                   "the right of the way to the other end is positive",
+                   any_value, "", "[\"40 um\", \"0 um\"]"},
+        FieldEntry{"to", &T::to, "the other end", any_value, "", "[\"40 um\", \"20 um\"]"},
+    };
+};
+
+template <>
+struct FieldList<ForkCase> {
+    using T = ForkCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"parent", &T::parent, "name of the section before the fork", any_value, {},
+                   "parent"},
+        FieldEntry{"daughters", &T::daughters, "names of the two sections behind it", any_value,
+                   "", "[\"upper\", \"lower\"]"},
+    };
+};
+
+template <>
+struct FieldList<StretchCase> {
+    using T = StretchCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"from", &T::from, "name of a section", any_value, {}, "near"},
+        FieldEntry{"to", &T::to, "name of another section of the same channel", any_value, {},
+                   "far"},
+    };
+};
+
 }  // namespace tt

@@ -31,6 +31,7 @@ void derive(const Model& model, Sites<Real>& sites, State& state) {
     fill_velocity(sites.populations, {push, model.drive.lean * push}, walls, sites.velocity);
     sites.borders = walls ? Borders<Real>(*walls, sites.populations) : Borders<Real>();
     state.ports.resize(model.boundaries.ports.size());
+    state.sections.resize(model.sections.size());
     sites.relaxation = Relaxation<Real>(lattice);
     sites.stencils = Stencils<Real>(state.cells.node_count());
     locate(model.delta, lattice, state.cells, sites.stencils);

@@ -15,6 +15,7 @@
 #include "interaction/contact.hpp"
 #include "membrane/forces.hpp"
 #include "simulation/exits.hpp"
+#include "simulation/sections.hpp"
 #include "simulation/undisturbed.hpp"
 
 namespace tt {
@@ -40,6 +41,9 @@ struct Model {
     Boundaries boundaries;
     std::vector<std::string> port_names;  ///< of boundaries.ports
     std::vector<Exit> exits;              ///< the same ports, as cells meet them
+    std::vector<Section> sections;        ///< where something is measured
+    std::vector<Fork> forks;              ///< of these
+    std::vector<Stretch> stretches;
     Vec2 origin;                          ///< of the box, in the coordinates of the drawing
     Drive drive;
     ViscosityModel viscosity;

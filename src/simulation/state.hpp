@@ -14,6 +14,7 @@
 #include "interaction/contact.hpp"
 #include "membrane/suspension.hpp"
 #include "simulation/exits.hpp"
+#include "simulation/sections.hpp"
 
 namespace tt {
 
@@ -47,7 +48,7 @@ struct DriveState {
 };
 
 /// All that changes. A checkpoint holds step, populations, cells, drive, the contact counters, the
-/// ports, who left and where the cytoplasm was last laid (interior.x, y); the rest is derived.
+/// ports, who left, what passed the sections and where the cytoplasm was last laid (interior.x, y); the rest is derived.
 struct State {
     std::int64_t step = 0;
     SitesInPrecision sites;
@@ -56,6 +57,7 @@ struct State {
     ContactState contact;
     std::vector<PortFlow> ports;     ///< of the openings of the walls
     std::vector<Departed> departed;  ///< cells that left through them
+    std::vector<SectionState> sections;  ///< what passed those of the model
 
     InteriorState interior;  ///< derived from the above, but for the places kept in it
 

@@ -10,6 +10,7 @@
 
 #include "simulation/derive.hpp"
 #include "simulation/ports_archive.hpp"
+#include "simulation/sections_archive.hpp"
 
 namespace tt {
 namespace {
@@ -177,6 +178,7 @@ void copy_saved(const State& from, State& to) {
     to.contact.smallest_gap = from.contact.smallest_gap;
     to.ports = from.ports;
     to.departed = from.departed;
+    to.sections = from.sections;
     to.interior.x = from.interior.x;
     to.interior.y = from.interior.y;
 }
@@ -185,6 +187,7 @@ void save_state(ArchiveOutput& archive, const State& state) {
     for_each_number(state, [&](const char* name, auto value) { archive.put_value(name, value); });
     for_each_array(state, [&](const char* name, const auto& values) { archive.put(name, values); });
     save_ports(archive, state);
+    save_sections(archive, state);
     std::visit(
         [&](const auto& sites) {
             const auto& populations = sites.populations;
@@ -205,6 +208,7 @@ State load_state(const ArchiveReader& archive, const Model& model, Exchange& exc
     });
     expect_sound(model.lattice, state);
     load_ports(archive, model, state);
+    load_sections(archive, model, state);
     size_derived(state.cells);
     state.sites = sites_at_rest(model.lattice, model.precision);
     std::visit([&](auto& sites) { load_populations(archive, exchange, sites.populations); },
@@ -220,6 +224,7 @@ std::uint64_t state_hash(const State& state) {
         sum.add(values.data(), values.size() * sizeof values[0]);
     });
     hash_ports(state, sum);
+    hash_sections(state, sum);
     std::visit(
         [&](const auto& sites) {
             for (int i = 0; i < d2q9::count; ++i) {
