@@ -59,9 +59,8 @@ void choose_network_grid(const Case& c, Choice& choice) {
     };
     choice.nx = sites(length);
     choice.ny = sites(width);
-    const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape);
     const Vec2 margin{network_margin * choice.dx.si, network_margin * choice.dx.si};
-    choice.origin = corners_of(drawn->loops).low - margin;
+    choice.origin = corners_of(c.geometry.channels()).low - margin;
 }
 
 }  // namespace

@@ -90,7 +90,16 @@ void judge_port(Judge& judge, const Case& c, const PortCase& port) {
     const std::string path = "port." + port.name;
     const auto key = [&](std::string_view name) { return fmt::format("{}.{}", path, name); };
     if (!is_table_name(port.name)) judge.tell({path}, table_name_fault("port"));
-    if (port.at.size() != 2)
+    const std::vector<std::string_view> own = c.geometry.port_names();
+    if (!own.empty() && !port.at.empty())
+        judge.tell({key("at"), path}, fmt::format("at means nothing with shape = \"{}\", whose "
+                                                  "ports have names; leave it out",
+                                                  word_of(c.geometry.shape)));
+    if (!own.empty() && std::find(own.begin(), own.end(), port.name) == own.end())
+        judge.tell({path}, fmt::format("the ports of shape = \"{}\" are {}; write one of these "
+                                       "names",
+                                       word_of(c.geometry.shape), fmt::join(own, ", ")));
+    if (own.empty() && port.at.size() != 2)
         judge.tell({key("at"), path},
                    "at is a point on the port; write at = [\"0 um\", \"10 um\"]");
     std::string given;
@@ -105,14 +114,22 @@ void judge_port(Judge& judge, const Case& c, const PortCase& port) {
         judge.tell({path},
                    "nothing is asked of this port; write pressure = \"0 Pa\", flow_rate = "
                    "\"0.02 mm^2/s\" or mean_velocity = \"1 mm/s\"");
-    if (!std::holds_alternative<DrawnShape>(c.geometry.shape))
+    if (own.empty() && !std::holds_alternative<DrawnShape>(c.geometry.shape))
         judge.tell({path}, fmt::format("a port means nothing with shape = \"{}\"; write shape = "
-                                       "\"file\" in [geometry]",
+                                       "\"file\", or one of the channels between ports, in "
+                                       "[geometry]",
                                        word_of(c.geometry.shape)));
 }
 
 /// Channels between ports: what drives the flow are they, and the box is that of the drawing.
 void judge_ports(Judge& judge, const Case& c) {
+    for (const std::string_view own : c.geometry.port_names())
+        if (std::none_of(c.ports.begin(), c.ports.end(),
+                         [&](const PortCase& port) { return port.name == own; }))
+            judge.tell({"geometry.shape"},
+                       fmt::format("shape = \"{}\" has a port '{}'; write [port.{}] with pressure, "
+                                   "flow_rate or mean_velocity",
+                                   word_of(c.geometry.shape), own, own));
     if (!c.network()) return;
     for (const PortCase& port : c.ports) judge_port(judge, c, port);
     const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape);

@@ -9,6 +9,13 @@
 
 #include "base/choice.hpp"
 #include "base/quantity.hpp"
+#include "case/measured_case.hpp"
+#include "case/shapes/bend.hpp"
+#include "case/shapes/expansion.hpp"
+#include "case/shapes/fork.hpp"
+#include "case/shapes/loop.hpp"
+#include "case/shapes/serpentine.hpp"
+#include "case/shapes/t_junction.hpp"
 #include "geometry/loops.hpp"
 
 namespace tt {
@@ -60,30 +67,20 @@ struct PortCase {
 
     friend bool operator==(const PortCase&, const PortCase&) = default;
 };
-/// Where something is measured: [section.NAME]. Flow to the right of the way from one end to the
-/// other is positive.
-struct SectionCase {
-    std::string name;              ///< of the table; no key
-    std::vector<Length> from, to;  ///< [x, y], its ends
-    friend bool operator==(const SectionCase&, const SectionCase&) = default;
-};
-/// Sections around a place where a channel parts in two: [fork.NAME].
-struct ForkCase {
-    std::string name;
-    std::string parent;
-    std::vector<std::string> daughters;
-    friend bool operator==(const ForkCase&, const ForkCase&) = default;
-};
-/// A channel between two sections, of which the resistance is told: [stretch.NAME].
-struct StretchCase {
-    std::string name;
-    std::string from, to;
-    friend bool operator==(const StretchCase&, const StretchCase&) = default;
-};
 struct GeometryCase {
-    std::variant<StraightShape, StenosisShape, PostsShape, DrawnShape> shape;
+    std::variant<StraightShape, StenosisShape, PostsShape, DrawnShape, ForkShape, TJunctionShape,
+                 BendShape, ExpansionShape, LoopShape, SerpentineShape>
+        shape;
 
     bool straight() const { return std::holds_alternative<StraightShape>(shape); }
+    /// Names of the ports of a shape of channels; of the others none.
+    std::vector<std::string_view> port_names() const;
+    /// Of the keys of such a shape.
+    ShapeFaults faults() const;
+    /// What a shape of channels draws; nothing of the others, and where its keys make no sense.
+    std::optional<ShapeDrawing> drawing() const;
+    /// The loops of channels that may have ports.
+    std::vector<Loop> channels() const;
     friend bool operator==(const GeometryCase&, const GeometryCase&) = default;
 };
 

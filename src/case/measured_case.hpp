@@ -46,14 +46,10 @@ template <>
 struct FieldList<ForkCase> {
     using T = ForkCase;
     static constexpr auto entries = std::tuple{
-        FieldEntry{"parent",
-                   &T::parent,
-                   "name of the section before the fork",
-                   any_value,
-                   {},
-                   "parent"},
-        FieldEntry{"daughters", &T::daughters, "names of the two sections behind it", any_value,
-                   "", "[\"upper\", \"lower\"]"},
+        FieldEntry{
+            "parent", &T::parent, "name of the section before the fork", any_value, {}, "parent"},
+        FieldEntry{"daughters", &T::daughters, "names of the two sections behind it", any_value, "",
+                   "[\"upper\", \"lower\"]"},
     };
 };
 
@@ -62,12 +58,8 @@ struct FieldList<StretchCase> {
     using T = StretchCase;
     static constexpr auto entries = std::tuple{
         FieldEntry{"from", &T::from, "name of a section", any_value, {}, "near"},
-        FieldEntry{"to",
-                   &T::to,
-                   "name of another section of the same channel",
-                   any_value,
-                   {},
-                   "far"},
+        FieldEntry{
+            "to", &T::to, "name of another section of the same channel", any_value, {}, "far"},
     };
 };
 

@@ -60,8 +60,10 @@ template <>
 struct FieldList<GeometryCase> {
     using T = GeometryCase;
     static constexpr auto entries = std::tuple{
-        FieldEntry{"shape", &T::shape,
-                   "a straight channel, one with a stenosis, posts, or as drawn in a file"},
+        FieldEntry{
+            "shape", &T::shape,
+            "a straight channel, one with a stenosis, posts, as drawn in a file, or channels "
+            "between ports"},
     };
 };
 
@@ -71,7 +73,7 @@ struct FieldList<PortCase> {
     static constexpr auto entries = std::tuple{
         FieldEntry{"at", &T::at,
                    "a point of the drawing on a straight piece of its outline along x or y: all of "
-                   "this piece is the port",
+                   "this piece is the port; only where the channels are drawn in a file",
                    any_value, "", "[\"0 um\", \"10 um\"]"},
         FieldEntry{"pressure",
                    &T::pressure,
@@ -91,39 +93,6 @@ struct FieldList<PortCase> {
                    Range{-100.0, 100.0},
                    {},
                    "1 mm/s"},
-    };
-};
-
-template <>
-struct FieldList<SectionCase> {
-    using T = SectionCase;
-    static constexpr auto entries = std::tuple{
-        FieldEntry{"from", &T::from,
-                   "one end of a line along x or y across a channel, from wall to wall; flow to "
-                   "the right of the way to the other end is positive",
-                   any_value, "", "[\"40 um\", \"0 um\"]"},
-        FieldEntry{"to", &T::to, "the other end", any_value, "", "[\"40 um\", \"20 um\"]"},
-    };
-};
-
-template <>
-struct FieldList<ForkCase> {
-    using T = ForkCase;
-    static constexpr auto entries = std::tuple{
-        FieldEntry{"parent", &T::parent, "name of the section before the fork", any_value, {},
-                   "parent"},
-        FieldEntry{"daughters", &T::daughters, "names of the two sections behind it", any_value,
-                   "", "[\"upper\", \"lower\"]"},
-    };
-};
-
-template <>
-struct FieldList<StretchCase> {
-    using T = StretchCase;
-    static constexpr auto entries = std::tuple{
-        FieldEntry{"from", &T::from, "name of a section", any_value, {}, "near"},
-        FieldEntry{"to", &T::to, "name of another section of the same channel", any_value, {},
-                   "far"},
     };
 };
 

@@ -68,9 +68,10 @@ std::string fault_of(const Case& c, const Solid& solid, const SectionPlace& line
     const double low = line.upright ? box.low.x : box.low.y;
     const double high = line.upright ? box.high.x : box.high.y;
     if (line.at <= low || line.at >= high)
-        return fmt::format("{} = {} is not inside of the box, which goes from {} to {}; write one "
-                           "that is",
-                           across, in_um(line.at), in_um(low), in_um(high));
+        return fmt::format(
+            "{} = {} is not inside of the box, which goes from {} to {}; write one "
+            "that is",
+            across, in_um(line.at), in_um(low), in_um(high));
     const std::vector<OpenPiece> all = pieces_on(c, solid, box, line);
     std::vector<OpenPiece> met, near;
     for (const OpenPiece& piece : all) {
@@ -79,8 +80,8 @@ std::string fault_of(const Case& c, const Solid& solid, const SectionPlace& line
         if (common > 1e-3 * most) met.push_back(piece);
     }
     if (all.empty())
-        return fmt::format("there is no fluid at {} = {}; write another {}", across,
-                           in_um(line.at), across);
+        return fmt::format("there is no fluid at {} = {}; write another {}", across, in_um(line.at),
+                           across);
     if (met.empty())
         return fmt::format("it meets no fluid; at {} = {} there is some {}; write {}", across,
                            in_um(line.at), listed(all),
@@ -90,9 +91,10 @@ std::string fault_of(const Case& c, const Solid& solid, const SectionPlace& line
                            met.size(), listed(met), cure(line, met.front().begin, met.front().end));
     const OpenPiece& piece = met.front();
     if (!std::isfinite(piece.begin) || !std::isfinite(piece.end))
-        return fmt::format("no wall ends the fluid along {}; a section goes from wall to wall "
-                           "across a channel",
-                           along);
+        return fmt::format(
+            "no wall ends the fluid along {}; a section goes from wall to wall "
+            "across a channel",
+            along);
     const double rounding = 1e-3 * (piece.end - piece.begin);
     if (line.begin > piece.begin + rounding || line.end < piece.end - rounding)
         return fmt::format("it ends within the fluid, which goes {}; write {}", listed({piece}),
@@ -112,9 +114,10 @@ std::string oblique(Vec2 from, Vec2 to) {
     const double reach = 0.5 * std::fabs(upright ? along.y : along.x);
     const double place = upright ? middle.y : middle.x;
     const double angle = std::atan2(along.y, along.x) * 180.0 / std::numbers::pi;
-    return fmt::format("it runs at {:.3g} deg; a section lies along x or y: write {}, which tells "
-                       "the same flow",
-                       angle, cure(line, place - reach, place + reach));
+    return fmt::format(
+        "it runs at {:.3g} deg; a section lies along x or y: write {}, which tells "
+        "the same flow",
+        angle, cure(line, place - reach, place + reach));
 }
 
 void judge_names(Judge& judge, const Case& c) {
@@ -156,8 +159,9 @@ void judge_asked(Judge& judge, const Case& c, const std::string& path, const std
 void judge_fork(Judge& judge, const Case& c, const ForkCase& fork) {
     const std::string path = "fork." + fork.name;
     if (fork.parent.empty())
-        judge.tell({path}, "parent is missing; write parent = \"NAME\", the section before the "
-                           "fork");
+        judge.tell({path},
+                   "parent is missing; write parent = \"NAME\", the section before the "
+                   "fork");
     if (fork.daughters.size() != 2)
         judge.tell({path + ".daughters", path},
                    "a fork has two daughters; write daughters = [\"NAME\", \"NAME\"], the sections "
@@ -174,8 +178,9 @@ void judge_fork(Judge& judge, const Case& c, const ForkCase& fork) {
 void judge_stretch(Judge& judge, const Case& c, const StretchCase& stretch) {
     const std::string path = "stretch." + stretch.name;
     if (stretch.from.empty() || stretch.to.empty())
-        return judge.tell({path}, "a stretch lies between two sections; write from = \"NAME\" and "
-                                  "to = \"NAME\"");
+        return judge.tell({path},
+                          "a stretch lies between two sections; write from = \"NAME\" and "
+                          "to = \"NAME\"");
     judge_asked(judge, c, path, "to", {stretch.from, stretch.to});
 }
 
@@ -217,9 +222,9 @@ void judge_section_keys(Judge& judge, const Case& c) {
 
 void judge_section_places(Judge& judge, const Case& c) {
     if (c.sections.empty()) return;
-    const Solid solid = solid_of(c);
     const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape);
-    if (drawn && drawn->loops.empty()) return;
+    if ((drawn || c.network()) && c.geometry.channels().empty()) return;
+    const Solid solid = solid_of(c);
     for (const SectionCase& section : c.sections) {
         if (section.from.size() != 2 || section.to.size() != 2) continue;
         const Vec2 from{section.from[0].si, section.from[1].si};

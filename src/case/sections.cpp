@@ -50,11 +50,11 @@ std::vector<Section> lattice_sections(const Case& c, const Choice& choice, const
         section.name = given.name;
         section.drawn_backwards = place.backwards;
         const Vec2 box{static_cast<double>(lattice.nx), static_cast<double>(lattice.ny)};
-        for (const OpenPiece& piece : open_pieces(walls ? walls->solid : Solid{}, box,
-                                                  lattice.walls, place.upright, plane))
+        for (const OpenPiece& piece :
+             open_pieces(walls ? walls->solid : Solid{}, box, lattice.walls, place.upright, plane))
             if (piece.begin <= middle && middle <= piece.end)
-                section.line = section_line(lattice, walls, place.upright, plane, piece.begin,
-                                            piece.end);
+                section.line =
+                    section_line(lattice, walls, place.upright, plane, piece.begin, piece.end);
         section.line.sign = place.upright == !place.backwards ? 1 : -1;
         constexpr std::size_t fewest = 4;
         if (section.line.rows.size() < fewest)
@@ -113,10 +113,10 @@ std::vector<Stretch> stretches_of(const Case& c, const Choice& choice) {
                                "'{}': a channel branches off between them; name two sections of "
                                "one channel",
                                far / near, given.to, given.from));
-        const double sampled = c.network() ? choice.walls->sampled_flow()
-                                           : choice.undisturbed->site_mean;
-        stretch.resistance = (from.plasma.density - to.plasma.density) *
-                             d2q9::sound_speed_squared * sampled / from.plasma.inflow;
+        const double sampled =
+            c.network() ? choice.walls->sampled_flow() : choice.undisturbed->site_mean;
+        stretch.resistance = (from.plasma.density - to.plasma.density) * d2q9::sound_speed_squared *
+                             sampled / from.plasma.inflow;
         stretches.push_back(stretch);
     }
     return stretches;

@@ -65,8 +65,8 @@ SectionReading read_section(const SectionLine& line, const Populations<Real>& po
         const int k = link.direction;
         const int i = wrapped(link.i - d2q9::cx[k], lattice.nx);
         const int j = lattice.row_in_box(link.j - d2q9::cy[k]);
-        reading.inflow += populations.arriving(k, link.i, link.j) -
-                          populations.arriving(d2q9::opposite[k], i, j);
+        reading.inflow +=
+            populations.arriving(k, link.i, link.j) - populations.arriving(d2q9::opposite[k], i, j);
     }
     reading.inflow *= line.sign;
     for (const int along : line.rows) {

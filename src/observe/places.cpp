@@ -48,9 +48,10 @@ void write_places(const std::filesystem::path& results, const Model& model) {
         places["sections"].push_back(section_of(model, section));
     const auto name = [&](int n) { return model.sections[static_cast<std::size_t>(n)].name; };
     for (const Fork& fork : model.forks)
-        places["forks"].push_back({{"name", fork.name},
-                                   {"parent", name(fork.parent)},
-                                   {"daughters", {name(fork.daughters[0]), name(fork.daughters[1])}}});
+        places["forks"].push_back(
+            {{"name", fork.name},
+             {"parent", name(fork.parent)},
+             {"daughters", {name(fork.daughters[0]), name(fork.daughters[1])}}});
     for (const Stretch& stretch : model.stretches)
         places["stretches"].push_back(
             {{"name", stretch.name}, {"from", name(stretch.from)}, {"to", name(stretch.to)}});

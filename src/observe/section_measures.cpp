@@ -11,8 +11,7 @@ namespace {
 
 /// The outline where its first node is nearest to the line, in coordinates of `from_section`: x
 /// along the line, y forward through it.
-std::vector<Vec2> seen_from(const SectionLine& line, const Lattice& lattice,
-                            const Outline& shape) {
+std::vector<Vec2> seen_from(const SectionLine& line, const Lattice& lattice, const Outline& shape) {
     const Vec2 home = from_section(line, lattice, shape[0]);
     std::vector<Vec2> points;
     for (int k = 0; k < shape.size(); ++k) {
@@ -24,8 +23,8 @@ std::vector<Vec2> seen_from(const SectionLine& line, const Lattice& lattice,
 }
 
 bool is_near(const std::vector<Vec2>& points) {
-    const auto [low, high] = std::minmax_element(
-        points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.y < b.y; });
+    const auto [low, high] =
+        std::minmax_element(points.begin(), points.end(), [](Vec2 a, Vec2 b) { return a.y < b.y; });
     return low->y <= 0.0 && high->y >= 0.0;
 }
 

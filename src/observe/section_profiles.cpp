@@ -63,10 +63,10 @@ void SectionProfiles::write() const {
             const std::size_t row = turned ? rows - 1 - k : k;
             const double along = line.rows[row] + 0.5;
             const double place = turned ? line.end - along : along - line.begin;
-            text += csv_row(SectionProfileRow{
-                static_cast<std::int64_t>(n), model_.scales.to_si<Length>(place),
-                Velocity{average_.mean(first + row)}, average_.mean(first + rows + row),
-                average_.samples()});
+            text += csv_row(
+                SectionProfileRow{static_cast<std::int64_t>(n), model_.scales.to_si<Length>(place),
+                                  Velocity{average_.mean(first + row)},
+                                  average_.mean(first + rows + row), average_.samples()});
         }
         first += 2 * rows;
     }

@@ -15,8 +15,8 @@ namespace tt {
 ///     NAME.hematocrit_tube        share of the line that lies in cells
 ///     NAME.hematocrit_discharge   area of cells over volume that passed since the row before
 ///     NAME.cfl_from, NAME.cfl_to  from the wall at either end to the first membrane on the line
-///     NAME.cells_forward, NAME.cells_backward             whose centroid has passed, since the start
-///     NAME.cell_area, NAME.volume                         passed since the start, net
+///     NAME.cells_forward, NAME.cells_backward             whose centroid has passed, since the
+///     start NAME.cell_area, NAME.volume                         passed since the start, net
 ///
 /// and of each stretch NAME.mu_rel, NAME.mu_app. NaN where it is not defined.
 class SectionSeries : public Observer {

@@ -17,8 +17,8 @@ using Averaging =
 
 /// Adds what sections.csv, left.csv and places.json tell.
 ///
-/// NAME.hematocrit_discharge is the area of cells over the volume that passed within the window, its
-/// error that of its rows. Of a fork, for each daughter D: FORK.D.flow_fraction and
+/// NAME.hematocrit_discharge is the area of cells over the volume that passed within the window,
+/// its error that of its rows. Of a fork, for each daughter D: FORK.D.flow_fraction and
 /// FORK.D.cell_fraction of both daughters together, the latter by counts with the binomial error
 /// √(f (1 − f)/N); FORK.D.hematocrit_ratio, its discharge hematocrit over that of the parent; and
 /// FORK.D.pries_cell_fraction (observe/partition.hpp). PORT.residence is the mean time in the

@@ -10,8 +10,9 @@ namespace tt {
 ShapeFaults BendShape::faults() const {
     ShapeFaults faults;
     if (lengths.size() != 2)
-        faults.emplace_back("lengths", "a bend has a channel before and one behind it; write "
-                                       "lengths = [\"60 um\", \"60 um\"]");
+        faults.emplace_back("lengths",
+                            "a bend has a channel before and one behind it; write "
+                            "lengths = [\"60 um\", \"60 um\"]");
     for (const Length length : lengths)
         if (length < width)
             faults.emplace_back("lengths",
@@ -34,9 +35,8 @@ ShapeDrawing BendShape::drawing() const {
     const double first = lengths[0].si, last = lengths[1].si;
     const double quarters = std::fabs(angle.si) / (0.5 * std::numbers::pi);
     const bool aligned = std::fabs(quarters - std::round(quarters)) < 1e-3;
-    const double turn = aligned
-                            ? std::copysign(0.5 * std::numbers::pi * std::round(quarters), angle.si)
-                            : angle.si;
+    const double turn =
+        aligned ? std::copysign(0.5 * std::numbers::pi * std::round(quarters), angle.si) : angle.si;
     const double before = first - std::fmin(width.si, 0.5 * first);
     pen.go(before);
     drawing.sections.push_back(pen.section("before"));

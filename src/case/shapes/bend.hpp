@@ -23,12 +23,15 @@ struct FieldList<BendShape> {
     using T = BendShape;
     static constexpr auto entries = std::tuple{
         FieldEntry{"width", &T::width, "of the channel", channel_size, {}, "20 um"},
-        FieldEntry{"angle", &T::angle,
+        FieldEntry{"angle",
+                   &T::angle,
                    "by which it bends, counter-clockwise; where it is neither 90 nor 180 deg it "
-                   "bends back to x",
-                   Range{-3.1415927, 3.1415927}, {}, "90 deg"},
-        FieldEntry{"radius", &T::radius, "of its middle line in the bend", channel_size, {},
-                   "30 um"},
+                   "bends back to x. Of a loop: at which the branches leave",
+                   Range{-3.1415927, 3.1415927},
+                   {},
+                   "90 deg"},
+        FieldEntry{
+            "radius", &T::radius, "of its middle line in the bend", channel_size, {}, "30 um"},
         FieldEntry{"lengths", &T::lengths, "of the straight pieces before and behind the bend",
                    channel_size, "", "[\"60 um\", \"60 um\"]"},
     };

@@ -82,6 +82,30 @@ Vec2 meeting_of(Vec2 a, double angle_a, Vec2 b, double angle_b) {
     return a + cross(b - a, other) / cross(along, other) * along;
 }
 
+std::optional<Vec2> crossing_of(const std::vector<Loop>& loops) {
+    struct Piece {
+        WallSegment wall;
+        std::size_t loop, first, count;
+    };
+    std::vector<Piece> pieces;
+    for (std::size_t l = 0; l < loops.size(); ++l)
+        for (std::size_t k = 0; k < loops[l].size(); ++k)
+            pieces.push_back(
+                {{loops[l][k], loops[l][(k + 1) % loops[l].size()]}, l, k, loops[l].size()});
+    const auto left = [](const Piece& p) { return std::min(p.wall.from.x, p.wall.to.x); };
+    const auto right = [](const Piece& p) { return std::max(p.wall.from.x, p.wall.to.x); };
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [&](const Piece& a, const Piece& b) { return left(a) < left(b); });
+    for (std::size_t a = 0; a < pieces.size(); ++a)
+        for (std::size_t b = a + 1; b < pieces.size() && left(pieces[b]) <= right(pieces[a]); ++b) {
+            const Piece &p = pieces[a], &q = pieces[b];
+            const std::size_t apart = p.first > q.first ? p.first - q.first : q.first - p.first;
+            if (p.loop == q.loop && (apart <= 1 || apart + 1 == p.count)) continue;
+            if (meeting(p.wall.from, p.wall.to, q.wall) >= 0.0) return q.wall.from;
+        }
+    return std::nullopt;
+}
+
 std::string um(double length) { return fmt::format("{:.4g} um", 1e6 * length); }
 
 }  // namespace tt

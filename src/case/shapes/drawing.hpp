@@ -1,5 +1,7 @@
 #pragma once
 
+#include <concepts>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -77,6 +79,9 @@ private:
 
 /// The point where two lines meet, each a point and an angle.
 Vec2 meeting_of(Vec2 a, double angle_a, Vec2 b, double angle_b);
+
+/// Where the walls cross or touch, if they do.
+std::optional<Vec2> crossing_of(const std::vector<Loop>& loops);
 
 /// "20 um" of a length [m], for faults.
 std::string um(double length);

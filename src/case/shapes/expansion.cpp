@@ -9,8 +9,9 @@ namespace tt {
 ShapeFaults ExpansionShape::faults() const {
     ShapeFaults faults;
     if (lengths.size() != 2)
-        faults.emplace_back("lengths", "there is a channel before and one behind it; write lengths "
-                                       "= [\"60 um\", \"60 um\"]");
+        faults.emplace_back("lengths",
+                            "there is a channel before and one behind it; write lengths "
+                            "= [\"60 um\", \"60 um\"]");
     for (const Length length : lengths)
         if (length < width)
             faults.emplace_back("lengths",

@@ -21,15 +21,17 @@ template <>
 struct FieldList<ExpansionShape> {
     using T = ExpansionShape;
     static constexpr auto entries = std::tuple{
-        FieldEntry{"width", &T::width, "of the channel before and behind", channel_size, {},
-                   "20 um"},
-        FieldEntry{"wide_width", &T::wide_width, "of the piece between", channel_size, {},
-                   "40 um"},
-        FieldEntry{"wide_length", &T::wide_length, "of the piece between", channel_size, {},
-                   "80 um"},
-        FieldEntry{"taper_length", &T::taper_length,
+        FieldEntry{
+            "width", &T::width, "of the channel before and behind", channel_size, {}, "20 um"},
+        FieldEntry{"wide_width", &T::wide_width, "of the piece between", channel_size, {}, "40 um"},
+        FieldEntry{
+            "wide_length", &T::wide_length, "of the piece between", channel_size, {}, "80 um"},
+        FieldEntry{"taper_length",
+                   &T::taper_length,
                    "over which the walls go apart, and together again; 0: at once",
-                   Range{0.0, 1e-1}, {}, "10 um"},
+                   Range{0.0, 1e-1},
+                   {},
+                   "10 um"},
         FieldEntry{"lengths", &T::lengths, "of the channel before and behind", channel_size, "",
                    "[\"60 um\", \"60 um\"]"},
     };

@@ -7,7 +7,7 @@
 namespace tt {
 namespace {
 
-constexpr double bend = 1.5;    ///< radius of the middle line where it bends back, in widths
+constexpr double bend = 1.5;         ///< radius of the middle line where it bends back, in widths
 constexpr double along = 1.0 / 3.0;  ///< share of a daughter that runs along x again
 
 /// One of the two channels behind the fork: its outer wall begins at the corner of the parent.
@@ -16,9 +16,7 @@ struct Daughter {
     double width, angle, length;
     Vec2 corner;
 
-    double straight() const {
-        return (1.0 - along) * length - bend * width * std::fabs(angle);
-    }
+    double straight() const { return (1.0 - along) * length - bend * width * std::fabs(angle); }
     ChannelPen start() const {
         const Vec2 left{-std::sin(angle), std::cos(angle)};
         return {corner - 0.5 * side * width * left, angle, width};
@@ -58,36 +56,40 @@ ShapeFaults ForkShape::faults() const {
         faults.emplace_back(key, std::move(why));
     };
     if (daughter_widths.size() != 2)
-        tell("daughter_widths", "a fork has two daughters; write daughter_widths = [\"14 um\", "
-                                "\"9.2 um\"], the upper one first");
+        tell("daughter_widths",
+             "a fork has two daughters; write daughter_widths = [\"14 um\", "
+             "\"9.2 um\"], the upper one first");
     if (angles.size() != 2)
-        tell("angles", "a fork has two daughters; write angles = [\"36 deg\", \"-36 deg\"], the "
-                       "upper one first");
+        tell("angles",
+             "a fork has two daughters; write angles = [\"36 deg\", \"-36 deg\"], the "
+             "upper one first");
     if (lengths.size() != 3)
-        tell("lengths", "a fork has three channels; write lengths = [\"60 um\", \"120 um\", \"120 "
-                        "um\"], of parent, upper and lower");
+        tell("lengths",
+             "a fork has three channels; write lengths = [\"60 um\", \"120 um\", \"120 "
+             "um\"], of parent, upper and lower");
     if (!faults.empty()) return faults;
     constexpr double least = 0.35;  // 20 degrees
     if (angles[0].si - angles[1].si < least) {
-        tell("angles", "the upper daughter must leave at 20 deg more than the lower one, or they "
-                       "meet again; write angles = [\"36 deg\", \"-36 deg\"]");
+        tell("angles",
+             "the upper daughter must leave at 20 deg more than the lower one, or they "
+             "meet again; write angles = [\"36 deg\", \"-36 deg\"]");
         return faults;
     }
     if (lengths[0].si < parent_width.si)
-        tell("lengths", fmt::format("the parent is {} long and {} wide; write at least {}",
-                                    um(lengths[0].si), um(parent_width.si),
-                                    um(2.0 * parent_width.si)));
+        tell("lengths",
+             fmt::format("the parent is {} long and {} wide; write at least {}", um(lengths[0].si),
+                         um(parent_width.si), um(2.0 * parent_width.si)));
     const Parts parts(*this);
     for (const Daughter* d : {&parts.upper, &parts.lower}) {
         const double tip = Parts::way_to(*d, d->side > 0.0 ? parts.tip_upper : parts.tip_lower);
         const double missing = std::fmax(tip, 0.0) + 0.5 * d->width - d->straight();
         if (missing > 0.0)
             tell("lengths",
-                 fmt::format("the {} daughter, {} long, is not straight for long enough to part "
-                             "from the other before it bends back to x; write {}",
-                             d->side > 0.0 ? "upper" : "lower", um(d->length),
-                             um(std::ceil(1e6 * (d->length + 1.1 * missing / (1.0 - along))) *
-                                1e-6)));
+                 fmt::format(
+                     "the {} daughter, {} long, is not straight for long enough to part "
+                     "from the other before it bends back to x; write {}",
+                     d->side > 0.0 ? "upper" : "lower", um(d->length),
+                     um(std::ceil(1e6 * (d->length + 1.1 * missing / (1.0 - along))) * 1e-6)));
     }
     return faults;
 }
@@ -96,13 +98,13 @@ ShapeDrawing ForkShape::drawing() const {
     const Parts parts(*this);
     ShapeDrawing drawing;
     const double half = 0.5 * parent_width.si, x = lengths[0].si;
-    const auto drawn = [&](const Daughter& d, const char* name) {
+    const auto drawn = [&](const Daughter& d, const char* section) {
         ChannelPen pen = d.start();
         pen.go(d.straight());
         if (d.angle != 0.0) pen.turn(-d.angle, bend * d.width);
         const double last = along * d.length;
         pen.go(0.25 * last);
-        drawing.sections.push_back(pen.section(name));
+        drawing.sections.push_back(pen.section(section));
         pen.go(0.75 * last);
         return pen;
     };

@@ -11,9 +11,9 @@ namespace {
 struct LeftHalf {
     double upper_x, upper_y;  ///< outer wall, where it runs along x again
     double lower_x, lower_y;
-    Vec2 tip;                   ///< of the island
+    Vec2 tip;                           ///< of the island
     double island_upper, island_lower;  ///< x where its straight sides begin
-    double middle;              ///< x of the mirror
+    double middle;                      ///< x of the mirror
 
     explicit LeftHalf(const LoopShape& s) {
         const double half = 0.5 * s.parent_width.si, side = 0.5 * s.island_width.si;
@@ -37,19 +37,21 @@ struct LeftHalf {
 ShapeFaults LoopShape::faults() const {
     ShapeFaults faults;
     if (branch_widths.size() != 2)
-        faults.emplace_back("branch_widths", "a loop has two branches; write branch_widths = [\"14 "
-                                             "um\", \"9.2 um\"], the upper one first");
+        faults.emplace_back("branch_widths",
+                            "a loop has two branches; write branch_widths = [\"14 "
+                            "um\", \"9.2 um\"], the upper one first");
     if (lengths.size() != 2)
-        faults.emplace_back("lengths", "there is a channel before and one behind it; write lengths "
-                                       "= [\"60 um\", \"60 um\"]");
+        faults.emplace_back("lengths",
+                            "there is a channel before and one behind it; write lengths "
+                            "= [\"60 um\", \"60 um\"]");
     if (!faults.empty()) return faults;
     for (const Length length : lengths)
         if (length < parent_width)
-            faults.emplace_back("lengths",
-                                fmt::format("a piece of {} is shorter than the channel is wide, "
-                                            "{}; write at least {}",
-                                            um(length.si), um(parent_width.si),
-                                            um(2.0 * parent_width.si)));
+            faults.emplace_back(
+                "lengths",
+                fmt::format("a piece of {} is shorter than the channel is wide, "
+                            "{}; write at least {}",
+                            um(length.si), um(parent_width.si), um(2.0 * parent_width.si)));
     const LeftHalf left(*this);
     const double needed = 2.0 * std::fabs(left.tip.y) + 2e-6;
     if (island_width.si < needed)
@@ -96,11 +98,10 @@ ShapeDrawing LoopShape::drawing() const {
     drawing.ports = {{"inlet", {0.0, 0.0}}, {"outlet", {end, 0.0}}};
     const double before = x0 - std::fmin(2.0 * half, 0.5 * x0);
     const double behind = x1 + std::fmin(2.0 * half, 0.5 * lengths[1].si);
-    drawing.sections = {
-        section_between("before", {before, -half}, {before, half}),
-        section_between("upper", {middle, side}, {middle, left.upper_y}),
-        section_between("lower", {middle, left.lower_y}, {middle, -side}),
-        section_between("behind", {behind, -half}, {behind, half})};
+    drawing.sections = {section_between("before", {before, -half}, {before, half}),
+                        section_between("upper", {middle, side}, {middle, left.upper_y}),
+                        section_between("lower", {middle, left.lower_y}, {middle, -side}),
+                        section_between("behind", {behind, -half}, {behind, half})};
     drawing.forks = {{"fork", "before", {"upper", "lower"}}};
     return drawing;
 }

@@ -25,10 +25,10 @@ struct FieldList<SerpentineShape> {
     using T = SerpentineShape;
     static constexpr auto entries = std::tuple{
         FieldEntry{"width", &T::width, "of the channel", channel_size, {}, "20 um"},
-        FieldEntry{"leg_length", &T::leg_length, "of each straight piece", channel_size, {},
-                   "80 um"},
-        FieldEntry{"radius", &T::radius, "of the middle line where it turns", channel_size, {},
-                   "20 um"},
+        FieldEntry{
+            "leg_length", &T::leg_length, "of each straight piece", channel_size, {}, "80 um"},
+        FieldEntry{
+            "radius", &T::radius, "of the middle line where it turns", channel_size, {}, "20 um"},
         FieldEntry{"turns", &T::turns, "half circles", Range{1.0, 50.0}, {}, "4"},
     };
 };

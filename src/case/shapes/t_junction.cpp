@@ -37,9 +37,8 @@ ShapeDrawing TJunctionShape::drawing() const {
     for (const Vec2 p : {Vec2{x + wu, top}, Vec2{x, top}, Vec2{x, half}, Vec2{0.0, half}})
         loop.push_back(p);
     drawing.loops = {loop};
-    drawing.ports = {{"inlet", {0.0, 0.0}},
-                     {"upper", {x + 0.5 * wu, top}},
-                     {"lower", {x + 0.5 * wl, bottom}}};
+    drawing.ports = {
+        {"inlet", {0.0, 0.0}}, {"upper", {x + 0.5 * wu, top}}, {"lower", {x + 0.5 * wl, bottom}}};
     const double before = x - std::fmin(2.0 * half, 0.5 * x);
     const double above = half + std::fmin(wu, 0.5 * lengths[1].si);
     const double below = -half - std::fmin(wl, 0.5 * lengths[2].si);

@@ -21,12 +21,16 @@ template <>
 struct FieldList<TJunctionShape> {
     using T = TJunctionShape;
     static constexpr auto entries = std::tuple{
-        FieldEntry{"parent_width", &T::parent_width, "of the channel that parts", channel_size,
-                   {}, "20 um"},
+        FieldEntry{"parent_width",
+                   &T::parent_width,
+                   "of the channel that parts",
+                   channel_size,
+                   {},
+                   "20 um"},
         FieldEntry{"daughter_widths", &T::daughter_widths, "of the upper and the lower one",
                    channel_size, "", "[\"14 um\", \"9.2 um\"]"},
-        FieldEntry{"lengths", &T::lengths, "of the middle lines, the parent first",
-                   channel_size, "", "[\"60 um\", \"120 um\", \"120 um\"]"},
+        FieldEntry{"lengths", &T::lengths, "of the middle lines, the parent first", channel_size,
+                   "", "[\"60 um\", \"120 um\", \"120 um\"]"},
     };
 };
 
