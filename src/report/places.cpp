@@ -95,11 +95,11 @@ std::string places_commands(const Results& run) {
         // Above an upright line, right of a level one.
         const bool upright = x0 == x1 || std::fabs(x1 - x0) < std::fabs(y1 - y0);
         text += fmt::format(
-            "set label {} at first {:.6g}, first {:.6g} {} front noenhanced font \",6\" offset {} "
-            "tc rgb \"{}\"\n",
+            "set label {} at first {:.6g}, first {:.6g} {} front noenhanced font \",9\" offset {} "
+            "tc rgb \"#000000\"\n",
             gnuplot_string(place.name), upright ? x0 : std::fmax(x0, x1),
             upright ? std::fmax(y0, y1) : y0, upright ? "center" : "left",
-            upright ? "0,0.4" : "0.4,0", place.port ? "#1b7837" : "#222222");
+            upright ? "0,0.4" : "0.4,0");
     }
     return text;
 }
