@@ -52,12 +52,15 @@ Corners box_of(const Case& c, const Solid& solid) {
 /// The pieces with fluid of the whole line that a section lies on.
 std::vector<OpenPiece> pieces_on(const Case& c, const Solid& solid, const Corners& box,
                                  const SectionPlace& line) {
+    // In um: walls in one place cancel to a millionth of a unit.
+    constexpr double unit = 1e-6;
     const double at = line.at - (line.upright ? box.low.x : box.low.y);
     const double aside = line.upright ? box.low.y : box.low.x;
     const bool walled = c.domain.sides == Sides::walls && !c.network();
     std::vector<OpenPiece> pieces =
-        open_pieces(moved(solid, -box.low), box.high - box.low, walled, line.upright, at);
-    for (OpenPiece& piece : pieces) piece = {piece.begin + aside, piece.end + aside};
+        open_pieces(scaled(moved(solid, -box.low), 1.0 / unit), (box.high - box.low) / unit, walled,
+                    line.upright, at / unit);
+    for (OpenPiece& piece : pieces) piece = {unit * piece.begin + aside, unit * piece.end + aside};
     return pieces;
 }
 

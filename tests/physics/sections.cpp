@@ -98,7 +98,7 @@ TEST(Sections, tell_the_flow_and_no_resistance_of_cells_in_a_straight_channel) {
                     section("near", R"("20 um", "0 um")", R"("20 um", "20 um")"),
                     section("far", R"("61 um", "20 um")", R"("61 um", "0 um")"),
                     {"stretch.all.from=near", "stretch.all.to=far"}}),
-            400);
+            4000);
         const double exact = flux(channel.model, channel.state);
         EXPECT_NEAR(channel.flow("near") / exact, 1.0, 1e-4) << drive;
         EXPECT_NEAR(channel.flow("far") / exact, -1.0, 1e-4) << drive;
