@@ -54,6 +54,31 @@ class Results:
         return self._table("profiles.csv")
 
     @property
+    def ports(self) -> Table:
+        """Flow rate and pressure of each port over time, and the cells that left through it."""
+        return self._table("ports.csv")
+
+    @property
+    def left(self) -> Table:
+        """The cells that left through ports: one row each."""
+        return self._table("left.csv")
+
+    @property
+    def sections(self) -> Table:
+        """Flow and cells at each section NAME over time, in columns NAME.flow_rate and so on."""
+        return self._table("sections.csv")
+
+    @property
+    def section_profiles(self) -> Table:
+        """Velocity and hematocrit across each section, averaged over the window; `section` is its number in `places`."""
+        return self._table("section_profiles.csv")
+
+    @property
+    def places(self) -> dict:
+        """Where ports and sections are [m] and how they belong together: "ports", "sections", "forks", "stretches"."""
+        return self._json("places.json")
+
+    @property
     def summary(self) -> dict:
         """What a paper would quote, {value, unit, …} by name; averages have mean, standard_error, sd_time, sd_cells, window
         and more, what is not defined a reason. Empty until the run ends."""

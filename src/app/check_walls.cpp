@@ -27,16 +27,28 @@ void print_ports(const Case& c, const Choice& choice) {
     print_line("late answer", late_answer_text(choice));
 }
 
+void print_sections(const Choice& choice) {
+    for (std::size_t n = 0; n < choice.sections.size(); ++n) {
+        const Section& section = choice.sections[n];
+        const double width = section.line.width() * choice.dx.si;
+        print_line(n == 0 ? "sections" : "",
+                   fmt::format("{}: {} wide, {} sites", section.name,
+                               rounded_text(Length{width}, 4), section.line.rows.size()));
+    }
+}
+
 }  // namespace
 
 void print_walls(const Case& c, const Choice& choice) {
-    if (!choice.walls) return;
+    if (!choice.walls) return print_sections(choice);
     print_line("walls", fmt::format("{}; {}", word_of(c.geometry.shape),
                                     description(*choice.walls, choice.dx.si)));
     if (c.network()) {
         print_ports(c, choice);
+        print_sections(choice);
         return;
     }
+    print_sections(choice);
     // Of straight channels of this width the flow is off by 0.66/H² (docs/theory/walls.md).
     print_line("resistance",
                fmt::format("flow rate per force {:.4g} times that of the open box; expect {:.1g} % "

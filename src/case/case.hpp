@@ -219,6 +219,9 @@ struct Case {
     DomainCase domain;
     GeometryCase geometry;
     std::vector<PortCase> ports;
+    std::vector<SectionCase> sections;
+    std::vector<ForkCase> forks;
+    std::vector<StretchCase> stretches;
     FlowCase flow;
     PlasmaCase plasma;
     LayerCase layer;

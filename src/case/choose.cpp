@@ -13,6 +13,7 @@
 #include "base/processors.hpp"
 #include "case/feeds.hpp"
 #include "case/membrane_of.hpp"
+#include "case/sections.hpp"
 #include "case/walls_of.hpp"
 
 namespace tt {
@@ -219,7 +220,10 @@ Lattice lattice_of(const Case& c, const Choice& choice) {
 
 /// Walls that are not those of the lattice, and what plasma alone does between them.
 void choose_walls(const Case& c, Choice& choice) {
-    if (c.geometry.straight()) return;
+    if (c.geometry.straight()) {
+        choice.sections = lattice_sections(c, choice, nullptr);
+        return;
+    }
     constexpr double most = 4e6;
     expect_sites(c, choice, most, "can be had between walls of any shape");
     const Solid solid = scaled(moved(solid_of(c), -choice.origin), 1.0 / choice.dx.si);
@@ -238,10 +242,16 @@ void choose_walls(const Case& c, Choice& choice) {
         for (const std::string& message : messages) faults.push_back({"", 0, 0, message});
         throw CaseError(std::move(faults));
     }
+    choice.sections = lattice_sections(c, choice, walls.get());
+    std::vector<SectionLine> lines;
+    for (const Section& section : choice.sections) lines.push_back(section.line);
+    const int threads = usable_processors();
     choice.undisturbed = std::make_shared<const UndisturbedFlow>(
-        c.network() ? undisturbed_flow(*walls, slow_ports(c, choice, *walls), usable_processors())
-                    : undisturbed_flow(*walls, usable_processors()));
+        c.network() ? undisturbed_flow(*walls, slow_ports(c, choice, *walls), lines, threads)
+                    : undisturbed_flow(*walls, lines, threads));
     choice.walls = std::move(walls);
+    for (std::size_t n = 0; n < lines.size(); ++n)
+        choice.sections[n].plasma = choice.undisturbed->sections[n];
 }
 
 Choice choose(const Case& c) {

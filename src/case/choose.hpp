@@ -7,6 +7,7 @@
 
 #include "case/case.hpp"
 #include "case/step_limits.hpp"
+#include "simulation/sections.hpp"
 #include "simulation/undisturbed.hpp"
 
 namespace tt {
@@ -36,6 +37,7 @@ struct Choice {
     /// Walls of any shape and the flow of plasma between them; none of a straight channel.
     std::shared_ptr<const Walls> walls;
     std::shared_ptr<const UndisturbedFlow> undisturbed;
+    std::vector<Section> sections;  ///< on the lattice
     std::vector<StepLimit> limits;  ///< sorted, the tightest first; dt follows the first unless the
                                     ///< case says otherwise
 

@@ -50,7 +50,7 @@ struct Margins {
         above = network_margin;
 };
 Margins network_margins(const Case& c, Length dx) {
-    const Corners corners = corners_of(std::get_if<DrawnShape>(&c.geometry.shape)->loops);
+    const Corners corners = corners_of(c.geometry.channels());
     const std::vector<Opening> openings = port_places(c).openings;
     const int room = network_margin + static_cast<int>(std::ceil(room_at_feed(c).si / dx.si));
     Margins margins;
@@ -84,8 +84,7 @@ void choose_network_grid(const Case& c, Choice& choice) {
     const Margins margins = network_margins(c, choice.dx);
     choice.nx = margins.left + sites(length) + margins.right;
     choice.ny = margins.below + sites(width) + margins.above;
-    const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape);
-    choice.origin = corners_of(drawn->loops).low -
+    choice.origin = corners_of(c.geometry.channels()).low -
                     choice.dx.si * Vec2{double(margins.left), double(margins.below)};
 }
 

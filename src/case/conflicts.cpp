@@ -11,6 +11,8 @@
 #include "base/units.hpp"
 #include "case/channel_flow.hpp"
 #include "case/judge.hpp"
+#include "case/sections.hpp"
+#include "case/table_names.hpp"
 
 namespace tt {
 namespace {
@@ -140,17 +142,17 @@ void judge_feed(Judge& judge, const Case& c, const PortCase& port) {
 void judge_port(Judge& judge, const Case& c, const PortCase& port) {
     const std::string path = "port." + port.name;
     const auto key = [&](std::string_view name) { return fmt::format("{}.{}", path, name); };
-    const auto proper = [](char letter) {
-        return letter == '_' || letter == '-' || (letter >= '0' && letter <= '9') ||
-               (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z');
-    };
-    constexpr std::size_t longest = 32;
-    if (port.name.empty() || port.name.size() > longest ||
-        !std::all_of(port.name.begin(), port.name.end(), proper))
-        judge.tell({path}, fmt::format("the name of a port has letters, digits, _ and -, at most "
-                                       "{}; write [port.inlet]",
-                                       longest));
-    if (port.at.size() != 2)
+    if (!is_table_name(port.name)) judge.tell({path}, table_name_fault("port"));
+    const std::vector<std::string_view> own = c.geometry.port_names();
+    if (!own.empty() && !port.at.empty())
+        judge.tell({key("at"), path}, fmt::format("at means nothing with shape = \"{}\", whose "
+                                                  "ports have names; leave it out",
+                                                  word_of(c.geometry.shape)));
+    if (!own.empty() && std::find(own.begin(), own.end(), port.name) == own.end())
+        judge.tell({path}, fmt::format("the ports of shape = \"{}\" are {}; write one of these "
+                                       "names",
+                                       word_of(c.geometry.shape), fmt::join(own, ", ")));
+    if (own.empty() && port.at.size() != 2)
         judge.tell({key("at"), path},
                    "at is a point on the port; write at = [\"0 um\", \"10 um\"]");
     std::string given;
@@ -168,14 +170,22 @@ void judge_port(Judge& judge, const Case& c, const PortCase& port) {
     judge_wave(judge, port.waveform, path,
                port.feeds() ? "cells come in with a steady flow; leave waveform out here" : "");
     judge_feed(judge, c, port);
-    if (!std::holds_alternative<DrawnShape>(c.geometry.shape))
+    if (own.empty() && !std::holds_alternative<DrawnShape>(c.geometry.shape))
         judge.tell({path}, fmt::format("a port means nothing with shape = \"{}\"; write shape = "
-                                       "\"file\" in [geometry]",
+                                       "\"file\", or one of the channels between ports, in "
+                                       "[geometry]",
                                        word_of(c.geometry.shape)));
 }
 
 /// Channels between ports: what drives the flow are they, and the box is that of the drawing.
 void judge_ports(Judge& judge, const Case& c) {
+    for (const std::string_view own : c.geometry.port_names())
+        if (std::none_of(c.ports.begin(), c.ports.end(),
+                         [&](const PortCase& port) { return port.name == own; }))
+            judge.tell({"geometry.shape"},
+                       fmt::format("shape = \"{}\" has a port '{}'; write [port.{}] with pressure, "
+                                   "flow_rate or mean_velocity",
+                                   word_of(c.geometry.shape), own, own));
     if (!c.network()) return;
     for (const PortCase& port : c.ports) judge_port(judge, c, port);
     const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape);
@@ -288,6 +298,7 @@ std::vector<Fault> find_conflicts(const Case& c, const Places& places, const std
     judge_flow(judge, c);
     judge_geometry(judge, c);
     judge_ports(judge, c);
+    judge_section_keys(judge, c);
     judge_cells(judge, c);
     judge_numerics(judge);
     return std::move(judge.faults);

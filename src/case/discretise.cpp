@@ -6,6 +6,7 @@
 #include "case/choose_network.hpp"
 #include "case/feeds.hpp"
 #include "case/membrane_of.hpp"
+#include "case/sections.hpp"
 #include "membrane/implicit_tension.hpp"
 
 namespace tt {
@@ -153,6 +154,9 @@ Model discretise(const Case& c, const Choice& choice) {
             m.boundaries.ports[static_cast<std::size_t>(m.feeds[n].port)] =
                 FedInflow{static_cast<int>(n), m.feeds[n].i, m.feeds[n].j};
     }
+    m.sections = choice.sections;
+    m.forks = forks_of(c, m.sections);
+    m.stretches = stretches_of(c, choice);
     const double gradient = m.scales.to_lattice(choice.pressure_gradient);
     if (c.flow.shear()) {
         m.boundaries.top_speed = 0.5 * m.shear_rate * m.lattice.ny;

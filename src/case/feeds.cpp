@@ -101,6 +101,9 @@ Model channel_of(const Gate& gate, int period, double mean_velocity, const Model
     m.port_waves = {};
     m.exits = {};
     m.feeds = {};
+    m.sections = {};
+    m.forks = {};
+    m.stretches = {};
     m.undisturbed = std::make_shared<const UndisturbedFlow>(
         poiseuille(gate, *walls, network.boundaries.walls->sampled_flow()));
     m.drive = {};

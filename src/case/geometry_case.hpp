@@ -9,6 +9,13 @@
 
 #include "base/choice.hpp"
 #include "base/quantity.hpp"
+#include "case/measured_case.hpp"
+#include "case/shapes/bend.hpp"
+#include "case/shapes/expansion.hpp"
+#include "case/shapes/fork.hpp"
+#include "case/shapes/loop.hpp"
+#include "case/shapes/serpentine.hpp"
+#include "case/shapes/t_junction.hpp"
 #include "case/wave.hpp"
 #include "geometry/loops.hpp"
 
@@ -73,9 +80,19 @@ struct PortCase {
     friend bool operator==(const PortCase&, const PortCase&) = default;
 };
 struct GeometryCase {
-    std::variant<StraightShape, StenosisShape, PostsShape, DrawnShape> shape;
+    std::variant<StraightShape, StenosisShape, PostsShape, DrawnShape, ForkShape, TJunctionShape,
+                 BendShape, ExpansionShape, LoopShape, SerpentineShape>
+        shape;
 
     bool straight() const { return std::holds_alternative<StraightShape>(shape); }
+    /// Names of the ports of a shape of channels; of the others none.
+    std::vector<std::string_view> port_names() const;
+    /// Of the keys of such a shape.
+    ShapeFaults faults() const;
+    /// What a shape of channels draws; nothing of the others, and where its keys make no sense.
+    std::optional<ShapeDrawing> drawing() const;
+    /// The loops of channels that may have ports.
+    std::vector<Loop> channels() const;
     friend bool operator==(const GeometryCase&, const GeometryCase&) = default;
 };
 

@@ -17,6 +17,7 @@
 #include "case/fit.hpp"
 #include "case/judge.hpp"
 #include "case/openings.hpp"
+#include "case/sections.hpp"
 #include "case/membrane_of.hpp"
 #include "case/step_limits.hpp"
 #include "case/value_text.hpp"
@@ -297,6 +298,7 @@ std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
     judge_walls(judge, c);
     for (const auto& [name, why] : port_places(c).faults)
         judge.tell({"port." + name + ".at"}, fmt::format("port '{}': {}", name, why));
+    judge_section_places(judge, c);
     judge_membrane(judge, c.membrane);
     if (c.contact.morse()) judge_contact(judge, *c.contact.morse());
     judge_rate(judge, c);

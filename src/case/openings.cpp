@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -61,22 +62,34 @@ bool straighten(Opening& opening) {
     return true;
 }
 
+/// As the case says, or by the name where the shape has ports of its own.
+std::optional<Vec2> place_of(const PortCase& port, const std::optional<ShapeDrawing>& drawing) {
+    if (!drawing)
+        return port.at.size() == 2 ? std::optional(Vec2{port.at[0].si, port.at[1].si})
+                                   : std::nullopt;
+    for (const ShapeDrawing::Port& own : drawing->ports)
+        if (own.name == port.name) return own.at;
+    return std::nullopt;
+}
+
 }  // namespace
 
 PortPlaces port_places(const Case& c) {
     PortPlaces places;
-    const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape);
+    const std::vector<Loop> loops = c.geometry.channels();
+    const auto drawing = c.geometry.drawing();
     for (const PortCase& port : c.ports) {
         places.openings.emplace_back();
         const auto tell = [&](std::string why) {
             places.openings.back() = {};
             places.faults.emplace_back(port.name, std::move(why));
         };
-        if (!drawn || drawn->loops.empty() || port.at.size() != 2) continue;
-        const Vec2 at{port.at[0].si, port.at[1].si};
-        const Corners all = corners_of(drawn->loops);
-        const Edge edge = nearest_edge(drawn->loops, at);
-        const Loop& loop = drawn->loops[edge.loop];
+        const auto place = place_of(port, drawing);
+        if (loops.empty() || !place) continue;
+        const Vec2 at = *place;
+        const Corners all = corners_of(loops);
+        const Edge edge = nearest_edge(loops, at);
+        const Loop& loop = loops[edge.loop];
         if (edge.off > 0.01 * norm(all.high - all.low)) {
             tell(
                 fmt::format("at = {} is on no piece of the drawing, which goes from {} to {}; the "

@@ -113,7 +113,7 @@ void judge_name(const TomlNode& root, Reader<Case>& reader, Case& c, const std::
 
 /// The box must be given, but for channels between ports: theirs is the extent of the drawing.
 void judge_box(const TomlNode& root, Reader<Case>& reader, const Case& c, const std::string& file) {
-    if (c.network()) return;
+    if (c.network() || !c.geometry.port_names().empty()) return;
     const TomlEntry* header = root.find("domain");
     const auto missing = [&](const char* key, Length value, const char* example) {
         const std::string path = fmt::format("domain.{}", key);
@@ -131,10 +131,15 @@ void judge_box(const TomlNode& root, Reader<Case>& reader, const Case& c, const 
 
 /// Length and width of a network, into the case. Returns what contradicts them.
 std::vector<Fault> fit_box(Case& c, const Places& places) {
-    const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape);
-    if (!c.network() || !drawn || drawn->loops.empty()) return {};
-    const Corners corners = corners_of(drawn->loops);
     std::vector<Fault> faults;
+    for (auto& [key, why] : c.geometry.faults()) {
+        const auto place = places.find(fmt::format("geometry.{}", key));
+        faults.push_back(place != places.end() ? place->second : places.at("geometry.shape"));
+        faults.back().message = std::move(why);
+    }
+    const std::vector<Loop> channels = c.geometry.channels();
+    if (!c.network() || channels.empty()) return faults;
+    const Corners corners = corners_of(channels);
     const auto fit = [&](const char* key, double drawn_size, Length& size) {
         const auto place = places.find(fmt::format("domain.{}", key));
         if (place != places.end() && std::fabs(size.si - drawn_size) > 1e-6 * drawn_size) {
@@ -150,13 +155,29 @@ std::vector<Fault> fit_box(Case& c, const Places& places) {
     constexpr double smallest = 1e-6, largest = 0.1;
     const double size = std::max(c.domain.length.si, c.domain.width.si);
     if (size < smallest || size > largest) {
-        faults.push_back(places.at("geometry.file"));
+        const auto file = places.find("geometry.file");
+        faults.push_back(file != places.end() ? file->second : places.at("geometry.shape"));
         faults.back().message = fmt::format(
             "what is drawn is {} long and {} wide; look at the unit of its numbers, and write unit "
             "= \"1 um\" or another in [geometry]",
             rounded_text(c.domain.length, 3), rounded_text(c.domain.width, 3));
     }
     return faults;
+}
+
+/// The sections and forks that a shape of channels brings, but for those of which the case has one
+/// of the same name.
+void add_sections_of_shape(Case& c) {
+    const auto drawing = c.geometry.drawing();
+    if (!drawing || !c.network()) return;
+    const auto add = [](const auto& own, auto& given) {
+        for (const auto& item : own)
+            if (std::none_of(given.begin(), given.end(),
+                             [&](const auto& other) { return other.name == item.name; }))
+                given.push_back(item);
+    };
+    add(drawing->sections, c.sections);
+    add(drawing->forks, c.forks);
 }
 
 /// The outline that `cells.file` names, into the case. Its own area is the size of the cells.
@@ -235,6 +256,9 @@ Case parse_case(std::string_view text, const std::string& name,
             for (Fault& fault : fit_box(result, reader.places))
                 outline_faults.push_back(std::move(fault));
         }
+        if (read) add_sections_of_shape(result);
+        if (read && directory.empty() && !result.geometry.port_names().empty())
+            outline_faults = fit_box(result, reader.places);
         // Where a line could not be read as TOML, a key may only seem to be missing.
         if (!whole)
             reader.faults.erase(std::remove_if(reader.faults.begin(), reader.faults.end(),

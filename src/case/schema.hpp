@@ -157,6 +157,14 @@ struct FieldList<Case> {
         FieldEntry{"geometry", &T::geometry, "the walls, where they are not those of the box"},
         FieldEntry{"port", &T::ports,
                    "where fluid goes in and out of what is drawn; a table for each port"},
+        FieldEntry{
+            "section", &T::sections,
+            "a line across a channel at which flow and cells are measured; a table for each"},
+        FieldEntry{"fork", &T::forks,
+                   "sections before and behind a place where a channel parts; a table for each"},
+        FieldEntry{"stretch", &T::stretches,
+                   "a channel between two sections, of which the resistance is told; a table for "
+                   "each"},
         FieldEntry{"flow", &T::flow, "what drives the flow"},
         FieldEntry{"plasma", &T::plasma, "the fluid around the cells"},
         FieldEntry{"layer", &T::layer,

@@ -60,8 +60,10 @@ template <>
 struct FieldList<GeometryCase> {
     using T = GeometryCase;
     static constexpr auto entries = std::tuple{
-        FieldEntry{"shape", &T::shape,
-                   "a straight channel, one with a stenosis, posts, or as drawn in a file"},
+        FieldEntry{
+            "shape", &T::shape,
+            "a straight channel, one with a stenosis, posts, as drawn in a file, or channels "
+            "between ports"},
     };
 };
 
@@ -94,7 +96,7 @@ struct FieldList<PortCase> {
     static constexpr auto entries = std::tuple{
         FieldEntry{"at", &T::at,
                    "a point of the drawing on a straight piece of its outline along x or y: all of "
-                   "this piece is the port",
+                   "this piece is the port; only where the channels are drawn in a file",
                    any_value, "", "[\"0 um\", \"10 um\"]"},
         FieldEntry{"pressure",
                    &T::pressure,

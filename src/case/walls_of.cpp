@@ -69,6 +69,14 @@ Solid solid_of(const DrawnShape& shape, const DomainCase& box) {
 
 Solid solid_of(const StraightShape&, const DomainCase&) { return {}; }
 
+template <NetworkShape S>
+Solid solid_of(const S& shape, const DomainCase&) {
+    Solid solid;
+    solid.loops = shape.drawing().loops;
+    solid.outside = true;
+    return solid;
+}
+
 }  // namespace
 
 Solid solid_of(const Case& c) {

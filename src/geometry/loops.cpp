@@ -145,6 +145,32 @@ std::vector<double> crossings_of_row(const std::vector<WallSegment>& segments, d
     return crossings;
 }
 
+std::vector<OpenPiece> open_pieces(const Solid& solid, Vec2 box, bool walled, bool upright,
+                                   double at) {
+    std::vector<WallSegment> segments = segments_near(solid, box.x, box.y, box.x + box.y);
+    if (upright)
+        for (WallSegment& segment : segments)
+            for (Vec2* p : {&segment.from, &segment.to}) std::swap(p->x, p->y);
+    const bool bounded = walled && upright;
+    const double low = bounded ? 0.0 : -HUGE_VAL, high = bounded ? box.y : HUGE_VAL;
+    std::vector<OpenPiece> pieces;
+    double begin = low;
+    bool open = !solid.outside && !(walled && !upright && (at < 0.0 || at > box.y));
+    if (!open && !solid.outside) return {};
+    const auto close = [&](double end) {
+        begin = std::max(begin, low);
+        end = std::min(end, high);
+        if (open && end > begin) pieces.push_back({begin, end});
+    };
+    for (const double crossing : crossings_of_row(segments, at)) {
+        close(crossing);
+        open = !open;
+        begin = crossing;
+    }
+    close(high);
+    return pieces;
+}
+
 double meeting(Vec2 a, Vec2 b, const WallSegment& segment) {
     const Vec2 way = b - a, along = segment.to - segment.from, apart = segment.from - a;
     const double turn = cross(way, along);

@@ -63,6 +63,15 @@ std::vector<WallSegment> segments_near(const Solid& solid, double width, double 
 /// Twins of `segments_near` with enough reach.
 std::vector<double> crossings_of_row(const std::vector<WallSegment>& segments, double y);
 
+/// Where there is fluid on a line along an axis, along y at x = `at` where `upright`: intervals of
+/// the other coordinate, in order. Beyond the walls of a box, y < 0 and y > `height`, is none where
+/// `walled`. Infinite ends are those of a line that no wall ends.
+struct OpenPiece {
+    double begin, end;
+};
+std::vector<OpenPiece> open_pieces(const Solid& solid, Vec2 box, bool walled, bool upright,
+                                   double at);
+
 /// Share of the way from a to b, in [0, 1], at which it first meets the segment; negative if it
 /// does not. Parallel ones do not meet.
 double meeting(Vec2 a, Vec2 b, const WallSegment& segment);

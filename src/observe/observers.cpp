@@ -10,6 +10,8 @@
 #include "observe/left_cells.hpp"
 #include "observe/port_series.hpp"
 #include "observe/profile_average.hpp"
+#include "observe/section_profiles.hpp"
+#include "observe/section_series.hpp"
 #include "observe/series.hpp"
 
 namespace tt {
@@ -58,6 +60,11 @@ Observers observers_of(const RunRequest& request, const std::filesystem::path& r
             std::make_unique<ProfileAverage>(rows, results, request.average_from, model, say));
     else
         observers.add(std::make_unique<PortSeries>(rows, results, model.port_names));
+    if (!model.sections.empty()) {
+        observers.add(std::make_unique<SectionSeries>(rows, results, model));
+        observers.add(
+            std::make_unique<SectionProfiles>(rows, results, request.average_from, model, say));
+    }
     if (!model.exits.empty()) observers.add(std::make_unique<LeftCells>(rows, results));
     if (!model.feeds.empty()) observers.add(std::make_unique<EnteredCells>(rows, results));
     observers.add(std::make_unique<FrameRecorder>(Schedule(frames.si, dt), with_fields, results,

@@ -2,11 +2,9 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "io/file.hpp"
+#include "observe/look_average.hpp"
 #include "observe/observer.hpp"
 
 namespace tt {
@@ -30,33 +28,28 @@ struct FieldList<ProfileRow> {
     };
 };
 
-/// profiles.csv: velocity and hematocrit across the channel, averaged over the looks from `from`
-/// on. checkpoint/profiles keeps every look, so that a run that goes on with another window has its
-/// average too: a record is the time, both profiles, and XXH64 of these.
+/// profiles.csv: velocity and hematocrit across the channel, averaged over the looks from `from` on
+/// (observe/look_average.hpp).
 class ProfileAverage : public Observer {
 public:
     /// `say` takes a message for the log.
     ProfileAverage(const Schedule& schedule, const std::filesystem::path& directory, Time from,
                    const Model& model, std::function<void(const std::string&)> say);
 
-    void start() override;
-    void resume(const ArchiveReader& archive) override;
+    void start() override { average_.start(); }
+    void resume(const ArchiveReader& archive) override { average_.resume(archive); }
     void observe(const Snapshot& snapshot) override;
     void sync() override;
-    void save(ArchiveOutput& archive) const override;
+    void save(ArchiveOutput& archive) const override { average_.save(archive); }
     void finish() override { write(); }
 
 private:
-    void add(const double* look);
     void write() const;
 
     std::filesystem::path directory_;
-    Time from_;
     double spacing_;  ///< of the rows [m]
-    std::function<void(const std::string&)> say_;
-    std::optional<OutputFile> looks_;
-    std::int64_t samples_ = 0;
-    std::vector<double> velocity_, hematocrit_;  ///< sums, per row
+    std::size_t rows_;
+    LookAverage average_;  ///< velocity [m/s], then hematocrit, of each row
 };
 
 }  // namespace tt

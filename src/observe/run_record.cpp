@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "observe/places.hpp"
 #include "observe/run_measures.hpp"
 #include "observe/status.hpp"
 #include "simulation/state_archive.hpp"
@@ -45,6 +46,7 @@ void RunRecord::change(std::vector<SettingChange> changes) {
 void RunRecord::write_case() const {
     replace_file(results_ / "case.toml", request_.case_toml, Durability::power);
     keep_inputs(results_, request_.inputs);
+    write_places(results_, model_);
     replace_file(results_ / "resolved.toml", request_.resolved_toml, Durability::power);
 }
 

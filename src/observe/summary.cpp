@@ -11,6 +11,7 @@
 
 #include "io/csv.hpp"
 #include "observe/run_measures.hpp"
+#include "observe/section_summary.hpp"
 
 namespace tt {
 namespace {
@@ -253,6 +254,13 @@ Json summarise(const std::filesystem::path& results, const SummaryInput& input) 
             else if (name != "time" && name != "step")
                 put(name, ports, ports.column(name));
     }
+    summarise_sections(
+        results, input.window,
+        [&](const std::string& name, const Table& table, const std::vector<double>& column) {
+            return averaged(name, gather(table, column, input), table.unit(name), any, input);
+        },
+        summary);
+    summarise_residence(results, summary);
     summary["shear_number"] =
         entry(input.shear_number.value_or(none), "", reason_for("shear_number", true, any));
     for (const char* name : stresses) put(name, cells, cells.column(name));

@@ -5,6 +5,7 @@
 
 #include "report/figures.hpp"
 #include "report/frames.hpp"
+#include "report/places.hpp"
 
 namespace tt {
 namespace {
@@ -196,6 +197,7 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
             "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb \"#8a8a8a\" fs solid "
             "noborder\n";
     }
+    body += places_commands(run);
     const int panels = static_cast<int>(frames.size());
     for (int k = 0; k < panels; ++k) {
         const std::string stem = fmt::format("flow_{}", k + 1);
@@ -233,10 +235,12 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
     }
     body += "unset multiplot";
     run_gnuplot(out, "flow", body, layout.width(), layout.height());
-    drawn.push_back({"flow",
-                     "Cells (red) and speed of the flow at chosen times. Flow is along x, which is "
-                     "periodic: a cell that "
-                     "crosses an end appears at both."});
+    std::string caption = "Cells (red) and speed of the flow at chosen times.";
+    if (grid.origin.empty())
+        caption +=
+            " Flow is along x, which is periodic: a cell that crosses an end appears at both.";
+    if (!drawn_places(run).empty()) caption += " Ports are green lines, sections thin ones.";
+    drawn.push_back({"flow", caption});
 }
 
 }  // namespace tt

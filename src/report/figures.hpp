@@ -33,6 +33,7 @@ inline constexpr FigureName all_figures[] = {
 
 /// The parts of draw_figures. Each appends what it could draw.
 void draw_flow(const Results& run, const std::filesystem::path& out, std::vector<Figure>& drawn);
+void draw_forks(const Results& run, const std::filesystem::path& out, std::vector<Figure>& drawn);
 void draw_series(std::span<const Results> runs, const std::filesystem::path& out,
                  std::vector<Figure>& drawn);
 void draw_profiles(std::span<const Results> runs, const std::filesystem::path& out,

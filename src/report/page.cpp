@@ -12,6 +12,7 @@
 #include "report/html.hpp"
 #include "report/key_numbers.hpp"
 #include "report/page_tables.hpp"
+#include "report/places.hpp"
 #include "report/words.hpp"
 
 namespace tt {
@@ -171,6 +172,7 @@ std::string report_page(std::span<const Results> runs, const std::vector<Figure>
 
     std::string body = key_numbers_section(runs, labels) + player_section(data["runs"]);
     body += checks_section(runs, labels) + summary_section(runs, labels);
+    body += forks_section(runs, labels);
     body +=
         figures_section(figures, figures_folder, runs.size() == 1 ? left_out_note(figures) : "");
     body += heading("series", "Time series");

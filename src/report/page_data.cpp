@@ -10,6 +10,8 @@
 #include "report/frames.hpp"
 #include "report/node_stretch.hpp"
 #include "report/page_cells.hpp"
+#include "report/places.hpp"
+#include "report/words.hpp"
 
 namespace tt {
 namespace {
@@ -181,14 +183,21 @@ std::string base64(std::string_view bytes) {
 
 Json series_data(const Results& run, const PageLimits& limits) {
     Json columns = Json::array();
-    const std::size_t stride = (run.series.rows() + limits.rows - 1) / limits.rows;
-    for (std::size_t c = 0; c < run.series.names.size(); ++c) {
-        const std::string& key = run.series.names[c];
-        columns.push_back(
-            {{"key", key},
-             {"unit", run.series.units[c]},
-             {"meaning", meaning_of(key)},
-             {"values", thinned(run.series.columns[c], std::max<std::size_t>(stride, 1))}});
+    const std::size_t rows = run.series.rows();
+    const std::size_t stride = std::max<std::size_t>((rows + limits.rows - 1) / limits.rows, 1);
+    const auto add = [&](const Table& table, std::size_t c, const std::string& meaning) {
+        columns.push_back({{"key", table.names[c]},
+                           {"unit", table.units[c]},
+                           {"meaning", meaning},
+                           {"values", thinned(table.columns[c], stride)}});
+    };
+    for (std::size_t c = 0; c < run.series.names.size(); ++c)
+        add(run.series, c, meaning_of(run.series.names[c]));
+    for (const Table* table : {&run.ports, &run.sections}) {  // their rows are of the same times
+        if (table->rows() != rows) continue;
+        for (std::size_t c = 0; c < table->names.size(); ++c)
+            if (table->names[c] != "time" && table->names[c] != "step")
+                add(*table, c, meaning_of_quantity(table->names[c]));
     }
     return columns;
 }
@@ -212,6 +221,7 @@ Json player_data(const Results& run, const PageLimits& limits) {
             {"origin", header.origin.empty() ? std::vector<double>{0.0, 0.0} : header.origin},
             {"walled", run.setting("domain.sides", "walls") == "walls" && header.origin.empty()},
             {"flow", flow_direction(run)},
+            {"places", places_data(run)},
             {"times", e.times},
             {"fields", e.fields},
             {"nodes", base64(e.nodes)},

@@ -130,11 +130,14 @@ Results read_results(const fs::path& directory) {
     r.status = read_record(directory / "status.json", r.faults);
     r.provenance = read_record(directory / "PROVENANCE.json", r.faults);
     r.summary = read_record(directory / "summary.json", r.faults);
+    r.places = read_record(directory / "places.json", r.faults);
     gather(r.summary, r);
     r.checks = read_checks(directory);
     r.series = read_table(directory, "series.csv", r.faults);
     r.cells = read_table(directory, "cells.csv", r.faults);
     r.profiles = read_table(directory, "profiles.csv", r.faults);
+    r.ports = read_table(directory, "ports.csv", r.faults);
+    r.sections = read_table(directory, "sections.csv", r.faults);
     r.frames = read_frames(directory / "frames.h5", r.faults);
     read_failure(directory / "failure", r);
     if (r.series.names.empty() && r.status.empty() && !r.frames && r.failure.empty())

@@ -31,10 +31,11 @@ struct Results {
     std::map<std::string, std::string>
         settings;  ///< "flow.drive" → "shear"; from resolved.toml, else case.toml
     Json status, provenance, summary;
+    Json places;  ///< of ports and sections (observe/places.hpp)
     std::vector<RunCheck> checks;
     std::vector<SummaryLine> quantities;          ///< averages of the summary, in its order
     double window_begin = 0.0, window_end = 0.0;  ///< of averaging [s]; equal: none
-    Table series, cells, profiles;
+    Table series, cells, profiles, ports, sections;
     std::shared_ptr<const FramesReader> frames;   ///< nullptr: no frames.h5
     Json failure;                                 ///< of a run that blew up; else empty
     std::string why;                              ///< the same in words

@@ -156,11 +156,10 @@ std::string case_in_words(const Results& run) {
     std::string text;
     const std::string length = run.setting("domain.length"), width = run.setting("domain.width");
     if (!length.empty() && !width.empty())
-        text = port_words(run).empty()
-                   ? fmt::format("A box {} long (periodic) and {} wide.", pretty(length),
-                                 pretty(width))
-                   : fmt::format("Channels, {} long and {} wide in all.", pretty(length),
-                                 pretty(width));
+        text = port_words(run).empty() ? fmt::format("A box {} long (periodic) and {} wide.",
+                                                     pretty(length), pretty(width))
+                                       : fmt::format("Channels, {} long and {} wide in all.",
+                                                     pretty(length), pretty(width));
     for (const std::string& sentence : {walls_words(run), flow_words(run), cells_words(run),
                                         membrane_words(run), grid_words(run)})
         if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
@@ -206,6 +205,30 @@ std::string meaning_of_quantity(const std::string& name) {
     };
     for_each_field<CellMeasures>(match);
     for_each_field<RunMeasures>(match);
+    constexpr std::pair<const char*, const char*> of_places[] = {
+        {".flow_rate", "flow rate per depth; of a port into the channels, of a section forward"},
+        {".mean_velocity", "flow rate / width"},
+        {".pressure", "mean pressure on it"},
+        {".hematocrit_tube", "share of the section that lies in cells"},
+        {".hematocrit_discharge", "area of the cells / volume that passed"},
+        {".cfl_from", "wall to the first membrane on the section, at the end `from`"},
+        {".cfl_to", "the same at the end `to`"},
+        {".mu_rel", "resistance of the stretch / that of plasma alone"},
+        {".mu_app", "the same times the viscosity of plasma"},
+        {".cells_left", "cells that have left through this port"},
+        {".cells_forward", "cells that have passed forward"},
+        {".cells_backward", "cells that have passed backward"},
+        {".cell_area", "area of the cells that has passed, net, per depth"},
+        {".volume", "volume that has passed, net, per depth"},
+        {".residence",
+         "time in the channels of the cells that left there, at most since the start"},
+        {".flow_fraction", "share of the flow of both daughters"},
+        {".cell_fraction", "share of the cells of both daughters, counted"},
+        {".hematocrit_ratio", "discharge hematocrit / that of the parent"},
+        {".pries_cell_fraction", "share of the cells by Pries' law, of round vessels"}};
+    if (meaning.empty())
+        for (const auto& [ending, words] : of_places)
+            if (name.ends_with(ending)) meaning = words;
     if (name == "tank_treading_kT") meaning = "shear rate × period of tank-treading";
     return meaning;
 }

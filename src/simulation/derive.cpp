@@ -29,6 +29,7 @@ void derive(const Model& model, Sites<Real>& sites, State& state) {
     sites.velocity = VectorField<Real>(lattice);
     const Walls* const walls = model.boundaries.walls.get();
     state.ports.resize(model.boundaries.ports.size());
+    state.sections.resize(model.sections.size());
     follow_waves(model, state);
     fill_velocity(sites.populations, state.drive.body_force * model.drive.direction, walls,
                   sites.velocity);

@@ -16,6 +16,7 @@
 #include "membrane/forces.hpp"
 #include "simulation/exits.hpp"
 #include "simulation/feed.hpp"
+#include "simulation/sections.hpp"
 #include "simulation/undisturbed.hpp"
 #include "simulation/waveform.hpp"
 
@@ -47,6 +48,9 @@ struct Model {
     std::vector<Waveform> port_waves;     ///< of what they hold; none: all steady
     std::vector<Exit> exits;              ///< the same ports, as cells meet them
     std::vector<Feed> feeds;              ///< of those through which cells come
+    std::vector<Section> sections;        ///< where something is measured
+    std::vector<Fork> forks;              ///< of these
+    std::vector<Stretch> stretches;
     Vec2 origin;                          ///< of the box, in the coordinates of the drawing
     Drive drive;
     ViscosityModel viscosity;

@@ -50,6 +50,12 @@ void change_time_step(const Model& model, double ratio, State& state) {
     for (PortFlow& port : state.ports)
         for (auto* of_steps : {&port.density, &port.inflow})
             for (double& value : *of_steps) value *= ratio;
+    for (SectionState& section : state.sections) {
+        for (auto* of_steps : {&section.density, &section.inflow})
+            for (double& value : *of_steps) value *= ratio;
+        for (auto& velocity : section.velocity)
+            for (double& value : velocity) value *= ratio;
+    }
     for (Departed& departed : state.departed) {
         departed.time /= ratio;
         departed.speed *= ratio;

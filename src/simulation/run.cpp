@@ -38,6 +38,7 @@ void run_steps(const Model& model, State& state, Exchange& exchange, Health& hea
             if (team_rank() == 0) decide(next + 1);
             if (!model.exits.empty()) on_one_thread([&] { let_pass(model, state, health); });
             advance(model, state, exchange, times, &health);
+            if (!model.sections.empty()) watch_sections(model, state);
             const auto found = health.after_step(model, state, done || health.due(next));
             if (found && team_rank() == 0) fault = found;
             if (found || done) break;

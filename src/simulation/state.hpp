@@ -15,6 +15,7 @@
 #include "membrane/suspension.hpp"
 #include "simulation/exits.hpp"
 #include "simulation/feed.hpp"
+#include "simulation/sections.hpp"
 
 namespace tt {
 
@@ -48,8 +49,8 @@ struct DriveState {
 };
 
 /// All that changes. A checkpoint holds step, populations, cells, drive, the contact counters, the
-/// ports, who left, the feeds and where the cytoplasm was last laid (interior.x, y); the rest is
-/// derived.
+/// ports, who left, the feeds, what passed the sections and where the cytoplasm was last laid
+/// (interior.x, y); the rest is derived.
 struct State {
     std::int64_t step = 0;
     SitesInPrecision sites;
@@ -59,6 +60,7 @@ struct State {
     std::vector<PortFlow> ports;     ///< of the openings of the walls
     std::vector<Departed> departed;  ///< cells that left through them
     std::vector<FeedState> feeds;    ///< as Model::feeds
+    std::vector<SectionState> sections;  ///< what passed those of the model
 
     InteriorState interior;  ///< derived from the above, but for the places kept in it
 

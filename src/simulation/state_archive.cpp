@@ -11,6 +11,7 @@
 #include "simulation/derive.hpp"
 #include "simulation/feed_archive.hpp"
 #include "simulation/ports_archive.hpp"
+#include "simulation/sections_archive.hpp"
 
 namespace tt {
 namespace {
@@ -186,6 +187,7 @@ void copy_saved(const State& from, State& to) {
         to.feeds[n].followers = from.feeds[n].followers;
         to.feeds[n].entered = from.feeds[n].entered;
     }
+    to.sections = from.sections;
     to.interior.x = from.interior.x;
     to.interior.y = from.interior.y;
 }
@@ -195,7 +197,10 @@ void save_state(ArchiveOutput& archive, const State& state, const std::string& p
                     [&](const char* name, auto value) { archive.put_value(prefix + name, value); });
     for_each_array(
         state, [&](const char* name, const auto& values) { archive.put(prefix + name, values); });
-    if (prefix.empty()) save_ports(archive, state);
+    if (prefix.empty()) {  // the channel of a feed has none of these
+        save_ports(archive, state);
+        save_sections(archive, state);
+    }
     std::visit(
         [&](const auto& sites) {
             const auto& populations = sites.populations;
@@ -223,7 +228,10 @@ State load_state(const ArchiveReader& archive, const Model& model, Exchange& exc
     });
     expect_sound(model.lattice, state);
     number_cells(state.cells);
-    if (prefix.empty()) load_ports(archive, model, state);
+    if (prefix.empty()) {
+        load_ports(archive, model, state);
+        load_sections(archive, model, state);
+    }
     size_derived(state.cells);
     state.sites = sites_at_rest(model.lattice, model.precision);
     std::visit([&](auto& sites) { load_populations(archive, exchange, prefix, sites.populations); },
@@ -244,6 +252,7 @@ std::uint64_t state_hash(const State& state) {
         sum.add(values.data(), values.size() * sizeof values[0]);
     });
     hash_ports(state, sum);
+    hash_sections(state, sum);
     std::visit(
         [&](const auto& sites) {
             for (int i = 0; i < d2q9::count; ++i) {

@@ -116,9 +116,11 @@ void measure(const Walls& walls, UndisturbedFlow& flow) {
 }
 
 /// Adds the mean of the next two steps.
-void average_two_steps(const Walls& walls, Settling& settling, VectorField<>& velocity,
-                       Field<>& density) {
+void average_two_steps(const Walls& walls, Settling& settling, std::span<const SectionLine> lines,
+                       UndisturbedFlow& flow) {
     const Lattice& lattice = walls.lattice;
+    VectorField<>& velocity = flow.velocity;
+    Field<>& density = flow.density;
     for (int step = 0; step < 2; ++step) {
         settling.step();
         for (int j = 0; j < lattice.ny; ++j) {
@@ -130,31 +132,52 @@ void average_two_steps(const Walls& walls, Settling& settling, VectorField<>& ve
                 density(i, j) += 0.5 * now[i];
             }
         }
+        for (std::size_t n = 0; n < lines.size(); ++n) {
+            const SectionReading now = read_section(lines[n], settling.populations);
+            flow.sections[n].inflow += 0.5 * now.inflow;
+            flow.sections[n].density += 0.5 * now.density;
+        }
     }
 }
 
+UndisturbedFlow at_rest(const Walls& walls, std::size_t sections) {
+    UndisturbedFlow flow;
+    flow.velocity = VectorField<>(walls.lattice);
+    flow.density = Field<>(walls.lattice);
+    flow.sections.resize(sections);
+    return flow;
+}
+
 /// Velocity and density where a force along this direction has made them steady, each the mean of
-/// two steps.
-void settle_along(const Walls& walls, Vec2 direction, int threads, VectorField<>& velocity,
-                  Field<>& density) {
+/// two steps; on sections with what the force stands for.
+UndisturbedFlow settled_along(const Walls& walls, Vec2 direction, int threads,
+                              std::span<const SectionLine> lines) {
     Settling settling(walls, direction);
     run_until_steady(settling, threads, [&] {
         const double along = dot(mean_velocity(settling.velocity), settling.push) / force;
         return std::vector<Reading>{{along, std::fabs(along)}};
     });
-    average_two_steps(walls, settling, velocity, density);
+    UndisturbedFlow flow = at_rest(walls, lines.size());
+    average_two_steps(walls, settling, lines, flow);
+    for (std::size_t n = 0; n < lines.size(); ++n)
+        flow.sections[n].density -=
+            dot(settling.push, lines[n].middle()) / d2q9::sound_speed_squared;
+    return flow;
 }
 
 /// Takes off what turns the mean flow aside.
-void keep_along_x(const Walls& walls, int threads, UndisturbedFlow& flow) {
-    VectorField<> aside(walls.lattice);
-    Field<> density(walls.lattice);
-    settle_along(walls, {0.0, 1.0}, threads, aside, density);
-    flow.lean = -mean_velocity(flow.velocity).y / mean_velocity(aside).y;
-    for (std::size_t n = 0; n < density.size(); ++n) {
-        flow.velocity.x.data()[n] += flow.lean * aside.x.data()[n];
-        flow.velocity.y.data()[n] += flow.lean * aside.y.data()[n];
-        flow.density.data()[n] += flow.lean * density.data()[n];
+void keep_along_x(const Walls& walls, int threads, std::span<const SectionLine> lines,
+                  UndisturbedFlow& flow) {
+    const UndisturbedFlow aside = settled_along(walls, {0.0, 1.0}, threads, lines);
+    flow.lean = -mean_velocity(flow.velocity).y / mean_velocity(aside.velocity).y;
+    for (std::size_t n = 0; n < flow.density.size(); ++n) {
+        flow.velocity.x.data()[n] += flow.lean * aside.velocity.x.data()[n];
+        flow.velocity.y.data()[n] += flow.lean * aside.velocity.y.data()[n];
+        flow.density.data()[n] += flow.lean * aside.density.data()[n];
+    }
+    for (std::size_t n = 0; n < lines.size(); ++n) {
+        flow.sections[n].inflow += flow.lean * aside.sections[n].inflow;
+        flow.sections[n].density += flow.lean * aside.sections[n].density;
     }
 }
 
@@ -178,16 +201,14 @@ double flow_beside_walls(const Walls& walls, const Field<Real>& u) {
 template double flow_beside_walls(const Walls&, const Field<double>&);
 template double flow_beside_walls(const Walls&, const Field<float>&);
 
-UndisturbedFlow undisturbed_flow(const Walls& walls, int threads) {
+UndisturbedFlow undisturbed_flow(const Walls& walls, std::span<const SectionLine> sections,
+                                 int threads) {
     const Lattice& lattice = walls.lattice;
-    UndisturbedFlow flow;
-    flow.velocity = VectorField<>(lattice);
-    flow.density = Field<>(lattice);
-    settle_along(walls, {1.0, 0.0}, threads, flow.velocity, flow.density);
+    UndisturbedFlow flow = settled_along(walls, {1.0, 0.0}, threads, sections);
     // A lean of rounding is none.
     const Vec2 mean = mean_velocity(flow.velocity);
     if (!lattice.walls && std::fabs(mean.y) > 1e-5 * std::fabs(mean.x))
-        keep_along_x(walls, threads, flow);
+        keep_along_x(walls, threads, sections, flow);
     const double viscosity = usual_viscosity;
     const double rate =
         (sum_over_sites(flow.velocity.x) + flow_beside_walls(walls, flow.velocity.x)) / lattice.nx;
@@ -198,13 +219,17 @@ UndisturbedFlow undisturbed_flow(const Walls& walls, int threads) {
         flow.velocity.y.data()[n] /= unit;
         flow.density.data()[n] /= unit * viscosity;
     }
+    for (SectionReading& section : flow.sections) {
+        section.inflow /= unit;
+        section.density /= unit * viscosity;
+    }
     flow.site_mean = mean_velocity(flow.velocity).x;
     measure(walls, flow);
     return flow;
 }
 
 UndisturbedFlow undisturbed_flow(const Walls& walls, const std::vector<PortCondition>& conditions,
-                                 int threads) {
+                                 std::span<const SectionLine> sections, int threads) {
     // Momentum spreads across in H²/(π² ν) steps and density along in some 18 ν (A/H²)² (of a
     // channel of area A): the viscosity for which both are alike.
     double widest = 0.0;
@@ -230,11 +255,10 @@ UndisturbedFlow undisturbed_flow(const Walls& walls, const std::vector<PortCondi
         }
         return readings;
     });
-    UndisturbedFlow flow;
-    flow.velocity = VectorField<>(walls.lattice);
-    flow.density = Field<>(walls.lattice);
-    average_two_steps(walls, settling, flow.velocity, flow.density);
+    UndisturbedFlow flow = at_rest(walls, sections.size());
+    average_two_steps(walls, settling, sections, flow);
     for (std::size_t n = 0; n < flow.density.size(); ++n) flow.density.data()[n] /= viscosity;
+    for (SectionReading& section : flow.sections) section.density /= viscosity;
     for (const PortFlow& port : settling.ports)
         flow.ports.push_back({port.mean_inflow(), port.mean_density() / viscosity});
     measure(walls, flow);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "fluid/ports.hpp"
+#include "fluid/section_line.hpp"
 #include "fluid/walls.hpp"
 #include "grid/field.hpp"
 
@@ -25,6 +27,9 @@ struct UndisturbedFlow {
         double inflow = 0.0, density = 0.0;  ///< as `density` above
     };
     std::vector<Port> ports;
+    /// The same of lines across channels; where a force drives the flow, with the drop of pressure
+    /// that it stands for.
+    std::vector<SectionReading> sections;
 };
 
 /// What the sum of u_x over the sites lacks of nx times the flow rate: beside a wall at the share q
@@ -36,10 +41,11 @@ double flow_beside_walls(const Walls& walls, const Field<Real>& ux);
 /// Of channels between ports; `conditions` as if the viscosity were 1, so that densities are those
 /// of the model over its viscosity.
 UndisturbedFlow undisturbed_flow(const Walls& walls, const std::vector<PortCondition>& conditions,
-                                 int threads);
+                                 std::span<const SectionLine> sections, int threads);
 
 /// Computes it on as many threads, from rest until the flow rate changes no more (to 10⁻⁵).
 /// Fields are means of two steps, of which the lattice's staggered momentum is taken off.
-UndisturbedFlow undisturbed_flow(const Walls& walls, int threads);
+UndisturbedFlow undisturbed_flow(const Walls& walls, std::span<const SectionLine> sections,
+                                 int threads);
 
 }  // namespace tt

@@ -25,8 +25,12 @@ namespace {
 /// The fork with coarse cells: some leave within a thousand steps.
 class Leaving : public TemporaryDirectory {
 protected:
-    Case c = read_case(TT_SOURCE_DIR "/cases/07-fork/case.toml",
-                       {"numerics.dx=0.5 um", "cells.hematocrit=10 %"});
+    Case c = read_case(
+        TT_SOURCE_DIR "/cases/07-fork/case.toml",
+        {"numerics.dx=0.5 um", "cells.hematocrit=10 %",
+         R"(section.parent.from=["40 um", "-10 um"])", R"(section.parent.to=["40 um", "10 um"])",
+         R"(section.upper_end.from=["140 um", "27 um"])",
+         R"(section.upper_end.to=["140 um", "40 um"])"});
     Model model = discretise(c);
     State start = initial_state(c, model, {});
 
@@ -68,6 +72,7 @@ TEST_F(Leaving, every_cell_is_inside_or_has_left_and_keeps_its_number) {
 TEST_F(Leaving, is_the_same_on_any_threads_and_across_a_restart) {
     const State one = run_to(1500);
     ASSERT_FALSE(one.departed.empty());
+    ASSERT_GT(one.sections[0].forward, 0);
     EXPECT_EQ(state_hash(one), state_hash(run_to(1500, 3)));
 
     // Before and after each departure, in both phases.
@@ -88,6 +93,7 @@ TEST_F(Leaving, is_the_same_on_any_threads_and_across_a_restart) {
     }
     run(state, 1500);
     EXPECT_EQ(state_hash(one), state_hash(state));
+    EXPECT_EQ(one.sections, state.sections);
 }
 
 TEST_F(Leaving, is_told_at_its_time_in_another_time_step) {

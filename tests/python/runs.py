@@ -35,6 +35,20 @@ class Runs(unittest.TestCase):
         self.assertEqual(run.frame(0).units["pressure"], "Pa")
         self.assertEqual(run.estimate("lambda_C").unit, "")
 
+    def test_a_network_tells_what_passes_its_sections(self):
+        case = self.folder / "fork.toml"
+        tanktread.new(case, "fork")
+        quick = {"numerics.dx": "1 um", "numerics.fluid_only": True, "time.end": "40 ms", "time.average_from": "30 ms"}
+        run = tanktread.run(case, self.folder / "fork", set=quick)
+        inlet = run.ports["inlet.flow_rate"][-1]
+        self.assertAlmostEqual(run.sections["parent.flow_rate"][-1] / inlet, 1.0, delta=1e-3)
+        self.assertAlmostEqual(run.estimate("before.mu_rel").value, 1.0, delta=1e-3)
+        share = [run.estimate(f"first.{name}.flow_fraction").value for name in ("above", "below")]
+        self.assertAlmostEqual(sum(share), 1.0, delta=1e-12)
+        self.assertAlmostEqual(share[1], 0.221, delta=0.01)  # finite elements
+        self.assertEqual([section["name"] for section in run.places["sections"]], ["near", "parent", "below", "above"])
+        self.assertEqual(set(run.section_profiles["section"]), {0, 1, 2, 3})
+
     def test_a_run_that_is_stopped_goes_on(self):
         part = tanktread.run(self.case, self.folder / "run", set=QUICK, until="0.5 ms")
         self.assertEqual(part.status["status"], "stopped")

@@ -46,5 +46,24 @@ const field = (() => {
     context.fill("evenodd");
     context.stroke();
   }
-  return { speed, walls, latest };
+  // Ports and sections, each with its name.
+  function places(context, panel) {
+    const at = ([x, y]) => [panel.x + x * panel.perMetre, panel.y + panel.height - y * panel.perMetre];
+    context.font = "11px sans-serif";
+    for (const { name, port, from, to } of panel.run.player.places) {
+      const [x0, y0] = at(from), [x1, y1] = at(to), upright = Math.abs(x1 - x0) < Math.abs(y1 - y0);
+      context.strokeStyle = context.fillStyle = theme.now().ink;
+      context.lineWidth = port ? 3 : 1;
+      context.setLineDash(port ? [] : [4, 3]);
+      context.beginPath();
+      context.moveTo(x0, y0);
+      context.lineTo(x1, y1);
+      context.stroke();
+      const half = context.measureText(name).width / 2, inside = (x) => Math.min(Math.max(x, panel.x + half + 3), panel.x + panel.width - half - 3);
+      context.textAlign = "center";
+      context.fillText(name, inside(upright ? x0 : (x0 + x1) / 2), Math.max(Math.min(y0, y1) - 4, panel.y + 11));
+    }
+    context.setLineDash([]);
+  }
+  return { speed, walls, places, latest };
 })();

@@ -31,6 +31,7 @@ const player = (() => {
     field.walls(context, panel);
     const mine = state.cell && state.cell.run === panel.run;
     cells.draw(context, panel, k, panel.run.player.times[k], state.quantity, mine ? state.cell.number : -1);
+    field.places(context, panel);
     context.restore();
     frame.axes(context, panel);
     frame.above(context, panel, panels.length === 1, time);
