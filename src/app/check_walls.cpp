@@ -17,7 +17,8 @@ void print_ports(const Case& c, const Choice& choice) {
         std::string text = fmt::format(
             "{}: {} wide, {} sites; pressure {}, flow rate {}, mean velocity {}{}", c.ports[n].name,
             rounded_text(port.width), place.width, rounded_text(port.pressure, 4),
-            fmt::format("{:.4g} mm^2/s", 1e6 * port.flow_rate.si), fmt::format("{:.4g} mm/s", 1e3 * port.mean_velocity.si),
+            fmt::format("{:.4g} mm^2/s", 1e6 * port.flow_rate.si),
+            fmt::format("{:.4g} mm/s", 1e3 * port.mean_velocity.si),
             c.ports[n].pressure ? "" : ", flow held");
         if (std::fabs(place.off) > 0.01)
             text += fmt::format("; {:.2f} sites off the middle between two sites", place.off);
@@ -29,6 +30,8 @@ void print_ports(const Case& c, const Choice& choice) {
 }  // namespace
 
 void print_walls(const Case& c, const Choice& choice) {
+    if (const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape))
+        for (const auto& [label, text] : drawn->found) print_line(label, text);
     if (!choice.walls) return;
     print_line("walls", fmt::format("{}; {}", word_of(c.geometry.shape),
                                     description(*choice.walls, choice.dx.si)));
