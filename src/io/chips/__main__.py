@@ -55,8 +55,8 @@ def read(path: pathlib.Path, options):
     return importlib.import_module("." + kind, __package__).read(data, options)
 
 
-def csv_of(loops, name: str) -> str:
-    text = f"# x, y in um: loops of {name}\n"
+def csv_of(loops) -> str:
+    text = "# x, y in um, loops parted by empty lines\n"
     for loop in loops:
         text += "".join(f"{x:.6f}".rstrip("0").rstrip(".") + "," + f"{y:.6f}".rstrip("0").rstrip(".") + "\n" for x, y in loop) + "\n"
     return text
@@ -90,7 +90,7 @@ def convert(path: pathlib.Path, options) -> tuple[str, dict]:
     found.append(["loops", f"{counted(len(result.loops), 'loop')} of {len(points)} points; area {result.area:.6g} um^2, mean width "
                   f"{2 * result.area / perimeter:.4g} um"])
     found += [["joined", text] for text in result.found]
-    return csv_of(result.loops, path.name), {"found": found, "remarks": drawing.remarks}
+    return csv_of(result.loops), {"found": found, "remarks": drawing.remarks}
 
 
 def main() -> int:

@@ -17,6 +17,7 @@ GROUPS = {"g", "a", "svg"}
 UNSEEN = {"defs", "symbol", "marker", "pattern", "mask", "clipPath", "linearGradient", "radialGradient", "filter", "title", "desc",
           "metadata", "style", "script", "view", "namedview"}
 MM = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72, "pc": 25.4 / 6, "Q": 0.25}
+TRANSFORM = re.compile(r"(\s*,?\s*(matrix|translate|scale|rotate|skewX|skewY)\s*\([-+\d.eE\s,]+\))+\s*")
 MOST_USES, DEEPEST = 100_000, 64
 
 
@@ -68,10 +69,9 @@ class Reader:
         if depth > DEEPEST:
             raise Refused(f"groups deeper than {DEEPEST}, or a use that holds itself")
         if own.get("transform"):
-            try:
-                matrix = svgelements.Matrix(own["transform"]) * matrix
-            except (ValueError, TypeError, IndexError):
-                raise Refused(f"transform = \"{own['transform'][:60]}\" cannot be read") from None
+            if not TRANSFORM.fullmatch(own["transform"]):  # svgelements passes over what it does not know
+                raise Refused(f"transform = \"{own['transform'][:60]}\" cannot be read")
+            matrix = svgelements.Matrix(own["transform"]) * matrix
         if name == "svg" and depth > 0:
             self.drawing.refuse(layer, "svg within svg; ungroup it in the drawing program")
         elif name in GROUPS:
