@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <mutex>
 
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 #include "io/file.hpp"
 #include "io/json.hpp"
 #include "io/program.hpp"
+#include "io/temporary_folder.hpp"
 
 namespace tt {
 namespace {
@@ -20,25 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int refused = 2, no_library = 3;  // exit codes of the converter
-
-/// A folder that is there as long as the object.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "tanktread-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw IoError(
-                fmt::format("cannot make a folder in '{}'", fs::temp_directory_path().string()));
-        path = name;
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    fs::path path;
-};
 
 std::string lower(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
