@@ -146,8 +146,9 @@ struct PictureFrame {
         const Vec2 size = picture.high - picture.low;
         constexpr double widest = 560, highest = 560;
         const double scale = std::min(widest / size.x, highest / size.y);
-        across = std::max(120.0, scale * size.x);
+        across = scale * size.x;
         up = std::max(24.0, scale * size.y);
+        right = std::max(right, 240.0 - left - across);  // for the title and the scale bar
         bottom += 16.0 * static_cast<double>(picture.ports.size());
     }
     int width() const { return static_cast<int>(left + across + right); }
