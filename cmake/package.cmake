@@ -28,6 +28,8 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot, fonts-dejavu-core, python3-tanktread")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "paraview, libtanktread-dev")
+# What reads chip files (src/io/chips): DXF, GDSII, SVG and PNG.
+string(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS ", python3-shapely, python3-ezdxf, python3-gdspy, python3-svgelements, python3-pil, python3-contourpy")
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Simulates plasma by the lattice Boltzmann method and cells as elastic membranes
 that may stiffen as they are stretched, coupled by immersed boundaries. For
 people who study flow in microvessels and microfluidic chips.

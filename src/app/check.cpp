@@ -10,8 +10,10 @@
 #include "app/check_json.hpp"
 #include "app/check_walls.hpp"
 #include "app/layout_progress.hpp"
+#include "app/picture.hpp"
 #include "app/probe.hpp"
 #include "app/verb.hpp"
+#include "base/tell.hpp"
 #include "base/units.hpp"
 #include "base/words.hpp"
 #include "case/appraise.hpp"
@@ -25,6 +27,7 @@ namespace {
 
 struct CheckOptions {
     CaseOptions given;
+    PictureOption picture;
     bool json = false;
 };
 
@@ -224,14 +227,27 @@ void advise_on_try(const Probe& p, const Choice& choice, Appraisal& a) {
         a.advice.push_back({Advice::Weight::consider, remark_on_length(seconds_to_finish(a, p))});
 }
 
+/// What is chosen. A case that cannot be put on a grid is drawn before that is told.
+Choice chosen(const CheckOptions& options, const Case& c) {
+    try {
+        return choose(c);
+    } catch (const CaseError&) {
+        if (options.picture.wanted()) tell_user("drawn to {}\n", draw_picture(options.picture, c));
+        throw;
+    }
+}
+
 int check(const CheckOptions& options) {
+    expect_drawable(options.picture);
     const Case c = read_given_case(options.given).c;
-    const Choice choice = choose(c);
+    const Choice choice = chosen(options, c);
     expect_memory(c, choice);
     Model model = discretise(c, choice);
     const ThreadChoice threads = choose_threads(options.given.threads, c, choice);
     model.threads = threads.threads;
     State initial = initial_state(c, model, layout_progress(ProgressMode::automatic));
+    if (options.picture.wanted())
+        tell_user("drawn to {}\n", draw_picture(options.picture, c, &choice, &model, &initial));
     Appraisal a = appraise(c, choice, model, initial);
     const Probe p = a.refused() ? Probe{} : probe(model, std::move(initial));
     advise_on_try(p, choice, a);
@@ -255,11 +271,14 @@ void add_check(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("check", "judge a case: which dx, dt and tau, and why");
     add_case_options(*verb, options->given);
     verb->add_flag("--json", options->json, "as JSON");
+    add_picture_option(*verb, options->picture);
     verb->footer(
         "Tells grid, time step, relaxation times, Reynolds, Mach and shear numbers, each\n"
         "stability limit with its margin, memory, disk and the time to finish, and which\n"
-        "key to change. Nothing is written. Exit code 2 if the case cannot run.\n\n"
-        "  tanktread check channel.toml --set flow.pseudo_shear_rate=\"150 /s\"");
+        "key to change. Nothing is written but a picture, of walls, ports and cells at the\n"
+        "start. Exit code 2 if the case cannot run.\n\n"
+        "  tanktread check channel.toml --set flow.pseudo_shear_rate=\"150 /s\"\n"
+        "  tanktread check fork.toml --picture fork.png");
     verb->callback([options, &action] { action = [options] { return check(*options); }; });
 }
 

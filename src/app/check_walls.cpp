@@ -40,6 +40,8 @@ void print_sections(const Choice& choice) {
 }  // namespace
 
 void print_walls(const Case& c, const Choice& choice) {
+    if (const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape))
+        for (const auto& [label, text] : drawn->found) print_line(label, text);
     if (!choice.walls) return print_sections(choice);
     print_line("walls", fmt::format("{}; {}", word_of(c.geometry.shape),
                                     description(*choice.walls, choice.dx.si)));

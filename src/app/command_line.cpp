@@ -158,6 +158,7 @@ int run_command_line(int given, const char* const* words) {
     describe_program(app);
     add_new(app, action);
     add_check(app, action);
+    add_geometry(app, action);
     add_run(app, action, command_line);
     add_resume(app, action, command_line);
     add_status(app, action);

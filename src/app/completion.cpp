@@ -58,6 +58,7 @@ Completion of_keys(std::string_view begun) {
 Completion of_values(const CLI::Option& option, std::string_view begun, const std::string& before) {
     const std::string kind = kind_of_value(option);
     if (kind == value_kind::toml_file) return {Completion::Kind::files, {}};
+    if (kind == value_kind::any_file) return {Completion::Kind::any_files, {}};
     if (kind == value_kind::directory) return {Completion::Kind::directories, {}};
     Completion found;
     if (kind == value_kind::setting || kind == value_kind::axis)
@@ -128,7 +129,7 @@ Completion of_verb(const CLI::App& verb, const std::vector<std::string>& words) 
 
 /// For the scripts in tools/completion: the kind, then a line a word.
 int print_completion(const Completion& completion) {
-    constexpr const char* kinds[] = {"words", "files", "directories"};
+    constexpr const char* kinds[] = {"words", "files", "any_files", "directories"};
     fmt::print("{}\n", kinds[static_cast<int>(completion.kind)]);
     for (const Candidate& c : completion.words) fmt::print("{}\t{}\n", c.word, c.meaning);
     return exit_code::done;

@@ -17,7 +17,7 @@ struct Candidate {
 
 /// What may stand where the cursor is.
 struct Completion {
-    enum class Kind { words, files, directories } kind = Kind::words;
+    enum class Kind { words, files, any_files, directories } kind = Kind::words;
     std::vector<Candidate> words;  ///< of kind words
 };
 

@@ -45,7 +45,7 @@ int write_case(const NewOptions& options) {
     const std::filesystem::path path =
         named ? given : std::filesystem::path(options.name + ".toml");
     const Template& chosen = find_template(options.from);
-    const std::filesystem::path outline = path.parent_path() / fmt::format("{}.csv", chosen.name);
+    const std::filesystem::path outline = path.parent_path() / chosen.outline_name;
     std::vector<std::filesystem::path> files{path};
     if (!chosen.outline.empty()) files.push_back(outline);
     for (const auto& file : files)
@@ -81,7 +81,8 @@ void add_new(CLI::App& app, Action& action) {
         "  couette     two fluids between sliding walls\n"
         "  stenosis    cells through a channel that narrows from 20 to 8 um\n"
         "  fork        cells in a channel that forks, between ports\n"
-        "  posts       a cell in an array of posts that sorts by size\n\n"
+        "  posts       a cell in an array of posts that sorts by size\n"
+        "  chip        cells in a chip drawn in a CAD program, with a bypass\n\n"
         "Without --from it is a channel. A file that is there already is never\n"
         "overwritten.");
     verb->callback([options, &action] { action = [options] { return write_case(*options); }; });

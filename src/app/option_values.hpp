@@ -15,6 +15,8 @@ namespace tt {
 namespace value_kind {
 inline constexpr const char* toml_file = "FILE";
 inline constexpr const char* directory = "DIR";
+inline constexpr const char* any_file = "PATH";  ///< no case: drawings, tables, pictures
+inline constexpr const char* length = "LENGTH";
 inline constexpr const char* setting = "KEY=VALUE";  ///< a key of the case file, set
 inline constexpr const char* axis = "KEY=VALUES";    ///< a key of the case file and its values
 inline constexpr const char* key = "KEY";            ///< a key of the case file, or a part of one

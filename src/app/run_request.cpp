@@ -22,6 +22,10 @@ RunRequest request_for(const Case& c, const Choice& choice, const Model& model) 
         request.notes.push_back("outline " + description(*outline));
         request.notes.insert(request.notes.end(), outline->remarks.begin(), outline->remarks.end());
     }
+    if (const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape)) {
+        for (const auto& [label, text] : drawn->found) request.notes.push_back(label + ": " + text);
+        request.notes.insert(request.notes.end(), drawn->remarks.begin(), drawn->remarks.end());
+    }
     request.end = c.time.end;
     request.average_from = c.time.average_from.value_or(Time{0.5 * c.time.end.si});
     request.series = c.output.series;

@@ -37,6 +37,7 @@ int perform(const Action& action);
 // Each adds one verb with its options and help; when it is named, `action` becomes what it does.
 void add_new(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
+void add_geometry(CLI::App& app, Action& action);
 void add_run(CLI::App& app, Action& action, const std::string& command_line);
 void add_resume(CLI::App& app, Action& action, const std::string& command_line);
 void add_status(CLI::App& app, Action& action);

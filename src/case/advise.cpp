@@ -170,6 +170,12 @@ void advise_on_outline(const Case& c, const State& initial, Adviser& adviser) {
             drawn->file);
 }
 
+void advise_on_drawing(const Case& c, Adviser& adviser) {
+    const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape);
+    if (!drawn) return;
+    for (const std::string& remark : drawn->remarks) adviser.consider("{}", remark);
+}
+
 void advise_on_physics(const Case& c, const Appraisal& a, Adviser& adviser) {
     if (a.cells == 0) return;
     if (c.membrane.bending_modulus.si == 0.0 && a.shear_number >= 0.5)
@@ -210,6 +216,7 @@ std::vector<Advice> advice_on(const Case& c, const Choice& choice, const Model& 
     advise_on_change(c, choice, a, adviser);
     advise_on_resolution(c, choice, a, adviser);
     advise_on_outline(c, initial, adviser);
+    advise_on_drawing(c, adviser);
     advise_on_physics(c, a, adviser);
     if (const auto why = bursting_contact(c, model, initial)) adviser.refuse("{}", *why);
     const std::vector<Advice> unusual = implausible_numbers(c, choice, a);

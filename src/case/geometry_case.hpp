@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -43,18 +44,26 @@ struct PostsShape {
     double row_shift = 0.0;  ///< of each column against the one before, in spacings of rows
     friend bool operator==(const PostsShape&, const PostsShape&) = default;
 };
-/// Whether fluid is inside or outside of what is drawn.
-enum class Side : std::uint8_t { inside, outside };
+/// Whether fluid is inside or outside of what is drawn, or where a picture is bright or dark.
+enum class Side : std::uint8_t { inside, outside, bright, dark };
 template <>
-inline constexpr auto words_of<Side> = std::to_array<std::string_view>({"inside", "outside"});
+inline constexpr auto words_of<Side> = std::to_array<std::string_view>({"inside", "outside",
+                                                                        "bright", "dark"});
 /// Loops of points, in the coordinates of the box.
 struct DrawnShape {
     static constexpr std::string_view name = "file";
-    std::string file;            ///< x,y in µm, loops parted by empty lines
-    std::optional<Length> unit;  ///< of its numbers
-    Side fluid = Side::inside;   ///< of the loops, by the even–odd rule
-    std::string bytes;           ///< what `file` holds; no key
-    std::vector<Loop> loops;     ///< the same [m]; no key
+    std::string file;  ///< x,y in µm, loops parted by empty lines; or DXF, SVG, GDSII, PNG
+    std::optional<Length> unit;        ///< of its numbers
+    Side fluid = Side::inside;         ///< of the loops, by the even–odd rule
+    std::optional<std::string> layer;  ///< of a drawing: the only one that is taken
+    std::optional<Length> chord;       ///< how far from its curves
+    std::optional<Length> pixel;       ///< of a picture: side of one
+    // No keys:
+    std::string bytes;        ///< the loops as text
+    std::string original;     ///< what `file` holds, if that is a drawing or a picture
+    std::vector<Loop> loops;  ///< [m]
+    std::vector<std::pair<std::string, std::string>> found;  ///< in the drawing: label and text
+    std::vector<std::string> remarks;                        ///< what the user should look at
     friend bool operator==(const DrawnShape&, const DrawnShape&) = default;
 };
 /// Cells that come in through a port, from a straight channel of its width.

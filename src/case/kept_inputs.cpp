@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "case/drawn_file.hpp"
+
 namespace tt {
 
 namespace fs = std::filesystem;
@@ -21,7 +23,9 @@ std::vector<InputFile> kept_inputs(const fs::path& case_file, const std::string&
         const auto* shape = std::get_if<OutlineShape>(&c->cells.shape);
         if (shape && shape->outline) keep(shape->file, shape->outline->bytes);
         const auto* drawn = std::get_if<DrawnShape>(&c->geometry.shape);
-        if (drawn && !drawn->file.empty()) keep(drawn->file, drawn->bytes);
+        if (!drawn || drawn->file.empty()) continue;
+        if (is_converted(*drawn)) keep(drawn->file, drawn->original);
+        keep(as_points(*drawn).file, drawn->bytes);
     }
     return files;
 }

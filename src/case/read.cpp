@@ -11,12 +11,12 @@
 #include "base/letter.hpp"
 #include "base/words.hpp"
 #include "base/units.hpp"
+#include "case/drawn_file.hpp"
 #include "case/read_outline.hpp"
 #include "case/reader.hpp"
 #include "case/run_name.hpp"
 #include "case/schema.hpp"
 #include "case/validate.hpp"
-#include "case/walls_of.hpp"
 #include "io/file.hpp"
 #include "io/toml.hpp"
 
@@ -80,15 +80,6 @@ void sort_faults(std::vector<Fault>& faults) {
         return std::tuple(a.line == 0, a.line, a.column) <
                std::tuple(b.line == 0, b.line, b.column);
     });
-}
-
-/// A path as the user would write it: from the current folder where it lies below it.
-std::string shown(const std::filesystem::path& path) {
-    std::error_code error;
-    const std::filesystem::path from_here =
-        path.lexically_relative(std::filesystem::current_path(error));
-    const bool below = !error && !from_here.empty() && *from_here.begin() != "..";
-    return (below ? from_here : path).string();
 }
 
 std::string default_name(const std::filesystem::path& file) {
@@ -207,24 +198,6 @@ std::vector<Fault> read_shape_file(Case& c, const Places& places) {
     return {};
 }
 
-/// The loops that `geometry.file` names, into the case. Returns what is wrong with them.
-std::vector<Fault> read_wall_file(Case& c, const Places& places) {
-    auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape);
-    if (!drawn || drawn->file.empty()) return {};
-    try {
-        const std::filesystem::path path = drawn->file;
-        drawn->bytes = read_file(path, Author::user);
-        drawn->loops = read_loops(drawn->bytes, shown(path), drawn->unit.value_or(Length{1e-6}).si);
-    } catch (const CaseError& error) {
-        return error.faults();
-    } catch (const IoError& error) {
-        Fault fault = places.at("geometry.file");
-        fault.message = fmt::format("{}; file names the loops of walls", error.what());
-        return {fault};
-    }
-    return {};
-}
-
 }  // namespace
 
 std::string origin_of(const std::string& item) { return "--set " + readable(item); }
@@ -251,7 +224,7 @@ Case parse_case(std::string_view text, const std::string& name,
         std::vector<Fault> outline_faults;
         if (read && !directory.empty()) {
             outline_faults = read_shape_file(result, reader.places);
-            for (Fault& fault : read_wall_file(result, reader.places))
+            for (Fault& fault : read_drawn(result, reader.places))
                 outline_faults.push_back(std::move(fault));
             for (Fault& fault : fit_box(result, reader.places))
                 outline_faults.push_back(std::move(fault));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "case/drawn_file.hpp"
 #include "case/write.hpp"
 #include "io/checksum.hpp"
 
@@ -28,7 +29,10 @@ Case named_by_content(Case c) {
     };
     if (const CellOutline* outline = c.cells.outline())
         std::get<OutlineShape>(c.cells.shape).file = name(outline->bytes);
-    if (auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape)) drawn->file = name(drawn->bytes);
+    if (auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape)) {
+        *drawn = as_points(*drawn);
+        drawn->file = name(drawn->bytes);
+    }
     return c;
 }
 
@@ -40,8 +44,10 @@ std::vector<InputFile> inputs_of(const Case& c) {
         inputs.push_back({"inputs/" + name, bytes});
     };
     if (const CellOutline* outline = c.cells.outline()) add(outline->file, outline->bytes);
-    if (const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape))
-        add(drawn->file, drawn->bytes);
+    if (const auto* drawn = std::get_if<DrawnShape>(&c.geometry.shape)) {
+        if (is_converted(*drawn)) add(drawn->file, drawn->original);
+        add(as_points(*drawn).file, drawn->bytes);
+    }
     return inputs;
 }
 
@@ -50,8 +56,10 @@ std::string resolved_toml(const Case& c, const Choice& choice, const Model& mode
     Case standing_alone = c;
     if (c.cells.outline())
         std::get<OutlineShape>(standing_alone.cells.shape).file = inputs_of(c).front().name;
-    if (auto* drawn = std::get_if<DrawnShape>(&standing_alone.geometry.shape))
+    if (auto* drawn = std::get_if<DrawnShape>(&standing_alone.geometry.shape)) {
+        *drawn = as_points(*drawn);
         drawn->file = inputs_of(c).back().name;
+    }
     std::string text = to_toml(standing_alone);
     text += fmt::format("\n# What follows from these.{:<28}{}\n", "", "in lattice units");
     text += fmt::format("# {:<24} {} x {} sites\n", "lattice", choice.nx, choice.ny);

@@ -46,13 +46,36 @@ struct FieldList<DrawnShape> {
         FieldEntry{"file",
                    &T::file,
                    "closed loops of points, x,y one a line, parted by empty lines, from the lower "
-                   "left corner of the box; relative to the case file",
+                   "left corner of the box; or a drawing: .dxf, .svg, .gds, .png; relative to the "
+                   "case file",
                    any_value,
                    {},
                    "walls.csv"},
-        FieldEntry{"unit", &T::unit, "of its numbers; else 1 um", Range{1e-10, 1.0}, {}, "1 um"},
+        FieldEntry{"unit",
+                   &T::unit,
+                   "of its numbers; else 1 um, or what a drawing says",
+                   Range{1e-10, 1.0},
+                   {},
+                   "1 um"},
         FieldEntry{"fluid", &T::fluid,
-                   "on which side of the loops; a loop within a loop turns it round"},
+                   "on which side of the loops; a loop within a loop turns it round; of a picture: "
+                   "where it is bright or dark"},
+        FieldEntry{"layer",
+                   &T::layer,
+                   "of a drawing, with the channels: a name (dxf), number/datatype (gds), an id "
+                   "(svg); may be left out where there is one",
+                   any_value,
+                   {},
+                   "CHANNELS"},
+        FieldEntry{"chord",
+                   &T::chord,
+                   "how far the straight pieces that stand for a curve may be off it; else 0.02 "
+                   "um, of a picture a tenth of a pixel",
+                   Range{1e-10, 1e-3},
+                   {},
+                   "0.02 um"},
+        FieldEntry{
+            "pixel", &T::pixel, "side of a pixel of a picture", Range{1e-9, 1e-3}, {}, "0.5 um"},
     };
 };
 

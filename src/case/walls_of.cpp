@@ -61,7 +61,7 @@ Solid solid_of(const PostsShape& shape, const DomainCase& box) {
 Solid solid_of(const DrawnShape& shape, const DomainCase& box) {
     Solid solid;
     solid.loops = shape.loops;
-    solid.outside = shape.fluid == Side::inside;
+    solid.outside = shape.fluid != Side::outside;
     solid.period_x = box.length.si;
     if (box.sides == Sides::periodic) solid.period_y = box.width.si;
     return solid;
@@ -91,11 +91,12 @@ Solid solid_of(const Case& c) {
 std::vector<Loop> read_loops(std::string_view text, const std::string& name, double unit) {
     std::vector<Loop> loops;
     std::vector<Fault> faults;
-    std::string block, before;  // lines already read, empty, so that numbers of lines are right
+    std::string block;
+    int line_number = 0, first_line = 1;  // of the file, and that of the block
     const auto finish = [&] {
         if (block.empty()) return;
         try {
-            Loop loop = parse_points(before + block, name).points;
+            Loop loop = parse_points(block, name, first_line).points;
             for (Vec2& p : loop) p *= unit;
             if (loop.size() > 1 && loop.front() == loop.back()) loop.pop_back();
             if (loop.size() < 3)
@@ -106,17 +107,17 @@ std::vector<Loop> read_loops(std::string_view text, const std::string& name, dou
         } catch (const CaseError& error) {
             faults.insert(faults.end(), error.faults().begin(), error.faults().end());
         }
-        before.append(static_cast<std::size_t>(std::count(block.begin(), block.end(), '\n')), '\n');
         block.clear();
     };
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size() - 1);
         const std::string_view line = text.substr(0, end + 1);
         text.remove_prefix(end + 1);
+        ++line_number;
         if (line.find_first_not_of(" \t\r\n") == std::string_view::npos) {
             finish();
-            before += '\n';
         } else {
+            if (block.empty()) first_line = line_number;
             block += line;
         }
     }

@@ -202,10 +202,10 @@ std::string_view without_mark(std::string_view text, const std::string& name) {
 
 }  // namespace
 
-PointList parse_points(std::string_view text, const std::string& name) {
+PointList parse_points(std::string_view text, const std::string& name, int first_line) {
     text = without_mark(text, name);
     PointReader reader(name);
-    for (int at = 1; !text.empty(); ++at) {
+    for (int at = first_line; !text.empty(); ++at) {
         const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
         reader.read_line(text.substr(0, end), at);
         const bool pair = text.substr(end, 2) == "\r\n";

@@ -24,7 +24,7 @@ inline constexpr std::size_t most_points = 100'000;
 /// or spaces; line ends of any kind; a byte order mark; '#' starts a comment; a heading, which may
 /// name x and y (or column and row) among other columns. Throws CaseError with the faults by line;
 /// one fault alone where the whole text is of another kind (semicolons, decimal commas, UTF-16, no
-/// text at all). `name` stands for the file.
-PointList parse_points(std::string_view text, const std::string& name);
+/// text at all). `name` stands for the file, in which the text begins at `first_line`.
+PointList parse_points(std::string_view text, const std::string& name, int first_line = 1);
 
 }  // namespace tt

@@ -8,6 +8,7 @@ _tanktread()
     [[ $cur == --*=* && $kind != words ]] && cur=${cur#*=}
     case $kind in
         files) _filedir toml ;;
+        any_files) _filedir ;;
         directories) _filedir -d ;;
         words)
             COMPREPLY=("${answer[@]:1}")

@@ -1,0 +1,10 @@
+# Makes generated/io/chip_converter.hpp: the Python package of src/io/chips, which the program carries.
+set(TT_CHIP_FILES "")
+file(GLOB chip_files CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/chips/*.py)
+foreach(path IN LISTS chip_files)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
+  get_filename_component(name ${path} NAME)
+  file(READ ${path} content)
+  string(APPEND TT_CHIP_FILES "    CarriedFile{\"${name}\", R\"chip(${content})chip\"},\n")
+endforeach()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/chip_converter.hpp.in ${CMAKE_BINARY_DIR}/generated/io/chip_converter.hpp @ONLY)
