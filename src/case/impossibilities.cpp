@@ -13,9 +13,9 @@
 #include "case/channel_flow.hpp"
 #include "case/choose.hpp"
 #include "case/contact_at_start.hpp"
-#include "case/feeds.hpp"
 #include "case/fit.hpp"
 #include "case/judge.hpp"
+#include "case/judge_channels.hpp"
 #include "case/openings.hpp"
 #include "case/sections.hpp"
 #include "case/membrane_of.hpp"
@@ -217,18 +217,6 @@ void judge_grid(Judge& judge, const Case& c) {
                     fitting_spacing(c, dx)));
 }
 
-void judge_feeds(Judge& judge, const Case& c) {
-    for (const PortCase& port : c.ports) {
-        if (!feeds(c, port) || !port.feed.length) continue;
-        const Length least{4.0 * room_at_feed(c).si};
-        if (*port.feed.length < least)
-            judge.tell({fmt::format("port.{}.feed.length", port.name)},
-                       fmt::format("the channel that feeds is {} long and takes room for some "
-                                   "cells; write length = \"{}\", or leave it out",
-                                   to_text(*port.feed.length), rounded_text(least, 3)));
-    }
-}
-
 void judge_times(Judge& judge, const Case& c) {
     const Time end = c.time.end;
     const auto check = [&](const std::optional<Time>& t, std::string_view path) {
@@ -249,37 +237,6 @@ void judge_times(Judge& judge, const Case& c) {
 }
 
 }  // namespace
-
-void judge_walls(Judge& judge, const Case& c) {
-    const DomainCase& box = c.domain;
-    if (const auto* stenosis = std::get_if<StenosisShape>(&c.geometry.shape)) {
-        if (box.sides != Sides::walls)
-            judge.tell({"domain.sides"},
-                       "a stenosis narrows the way between two walls; write sides = \"walls\"");
-        if (stenosis->throat >= box.width)
-            judge.tell(
-                {"geometry.throat"},
-                fmt::format("the throat is {} wide and the channel {}; write throat = \"{}\"",
-                            to_text(stenosis->throat), to_text(box.width),
-                            rounded_text(Length{0.5 * box.width.si}, 3)));
-        if (stenosis->throat_length > box.length)
-            judge.tell({"geometry.throat_length"},
-                       fmt::format("the throat is {} long and the channel {}; write a longer "
-                                   "channel, or throat_length = \"{}\"",
-                                   to_text(stenosis->throat_length), to_text(box.length),
-                                   rounded_text(Length{0.5 * box.length.si}, 3)));
-    }
-    if (const auto* posts = std::get_if<PostsShape>(&c.geometry.shape)) {
-        const double nearest = std::min(box.length.si / static_cast<double>(posts->columns),
-                                        box.width.si / static_cast<double>(posts->rows));
-        if (posts->diameter.si >= nearest)
-            judge.tell({"geometry.diameter"},
-                       fmt::format("posts of {} that stand {} apart leave no gap; write diameter = "
-                                   "\"{}\", or fewer columns and rows",
-                                   to_text(posts->diameter), rounded_text(Length{nearest}, 4),
-                                   rounded_text(Length{0.5 * nearest}, 3)));
-    }
-}
 
 std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
                                         const std::string& file) {
