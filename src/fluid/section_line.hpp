@@ -31,8 +31,8 @@ struct SectionLine {
     Vec2 middle() const { return place(0.5 * (begin + end)); }
 };
 
-/// The line through `plane` between `begin` and `end`, its links and rows. `walls` may be none: then
-/// all sites are open.
+/// The line through `plane` between `begin` and `end`, its links and rows. `walls` may be none:
+/// then all sites are open.
 SectionLine section_line(const Lattice& lattice, const Walls* walls, bool upright, int plane,
                          double begin, double end);
 

@@ -51,7 +51,7 @@ struct Model {
     std::vector<Section> sections;        ///< where something is measured
     std::vector<Fork> forks;              ///< of these
     std::vector<Stretch> stretches;
-    Vec2 origin;                          ///< of the box, in the coordinates of the drawing
+    Vec2 origin;  ///< of the box, in the coordinates of the drawing
     Drive drive;
     ViscosityModel viscosity;
     Delta delta;

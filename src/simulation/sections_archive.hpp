@@ -11,7 +11,8 @@ namespace tt {
 // is of them.
 
 void save_sections(ArchiveOutput& archive, const State& state);
-/// Into a state whose cells and departures have been loaded. DamagedArchive where it makes no sense.
+/// Into a state whose cells and departures have been loaded. DamagedArchive where it makes no
+/// sense.
 void load_sections(const ArchiveReader& archive, const Model& model, State& state);
 void hash_sections(const State& state, Checksum& sum);
 

@@ -57,9 +57,9 @@ struct State {
     Suspension cells;
     DriveState drive;
     ContactState contact;
-    std::vector<PortFlow> ports;     ///< of the openings of the walls
-    std::vector<Departed> departed;  ///< cells that left through them
-    std::vector<FeedState> feeds;    ///< as Model::feeds
+    std::vector<PortFlow> ports;         ///< of the openings of the walls
+    std::vector<Departed> departed;      ///< cells that left through them
+    std::vector<FeedState> feeds;        ///< as Model::feeds
     std::vector<SectionState> sections;  ///< what passed those of the model
 
     InteriorState interior;  ///< derived from the above, but for the places kept in it

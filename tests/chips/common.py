@@ -1,9 +1,9 @@
 """Conversions in this process, and what is asked of them."""
 import importlib.util
-import math
 import pathlib
 import sys
 import tempfile
+import time
 
 source = pathlib.Path(sys.argv[1]).resolve()
 data = source / "tests/data/chips"
@@ -88,6 +88,7 @@ def run_tests(module):
     tests = [(name, test) for name, test in vars(module).items() if name.startswith("test_")]
     failed = 0
     for name, test in tests:
+        start = time.monotonic()
         try:
             test()
         except Exception as error:  # each is told
@@ -95,5 +96,6 @@ def run_tests(module):
             failed += 1
             print(f"FAILED {name}")
             traceback.print_exc()
+        print(f"{time.monotonic() - start:5.1f} s  {name}", flush=True)
     print(f"{len(tests) - failed} of {len(tests)} passed")
     sys.exit(1 if failed else 0)

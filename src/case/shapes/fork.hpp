@@ -8,8 +8,9 @@ namespace tt {
 struct ForkShape {
     static constexpr std::string_view name = "fork";
     Length parent_width;
-    std::vector<Length> daughter_widths;                             ///< upper, lower
-    std::vector<Angle> angles{Angle{0.6435011}, Angle{-0.6435011}};  ///< of the same, to x
+    std::vector<Length> daughter_widths;  ///< upper, lower
+    std::vector<Angle> angles{Angle{0.62831853071795862},
+                              Angle{-0.62831853071795862}};  ///< of the same, to x
     std::vector<Length> lengths;  ///< of the middle lines: parent, upper, lower
 
     static std::vector<std::string_view> ports() { return {"inlet", "upper", "lower"}; }
