@@ -106,7 +106,7 @@ void add_geometry(CLI::App& app, Action& action) {
         ->type_name(value_kind::length);
     add_choice(*verb, "--fluid", options->fluid,
                {{"inside", ""}, {"outside", ""}, {"bright", ""}, {"dark", ""}},
-               "of the loops; of a mask where it is bright or dark");
+               "of the loops, or of a mask");
     verb->add_option("-o,--output", options->output, "write the loops there: x,y in um")
         ->type_name(value_kind::any_file);
     add_picture_option(*verb, options->picture);
