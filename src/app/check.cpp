@@ -275,7 +275,7 @@ void add_check(CLI::App& app, Action& action) {
     verb->footer(
         "Tells grid, time step, relaxation times, Reynolds, Mach and shear numbers, each\n"
         "stability limit with its margin, memory, disk and the time to finish, and which\n"
-        "key to change. Nothing is written but a picture, of walls, ports and cells at the\n"
+        "key to change. Nothing is written but a picture: walls, ports and cells at the\n"
         "start. Exit code 2 if the case cannot run.\n\n"
         "  tanktread check channel.toml --set flow.pseudo_shear_rate=\"150 /s\"\n"
         "  tanktread check fork.toml --picture fork.png");

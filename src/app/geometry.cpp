@@ -90,8 +90,8 @@ int convert(const GeometryOptions& options) {
 
 void add_geometry(CLI::App& app, Action& action) {
     auto options = std::make_shared<GeometryOptions>();
-    CLI::App* verb = app.add_subcommand(
-        "geometry", "read a chip file: what is in it, and the loops of its walls");
+    CLI::App* verb =
+        app.add_subcommand("geometry", "read a chip file: what is in it, loops of its walls");
     verb->add_option("file", options->file, ".dxf, .svg, .gds, .png or points")
         ->required()
         ->type_name(value_kind::any_file);
@@ -106,15 +106,16 @@ void add_geometry(CLI::App& app, Action& action) {
         ->type_name(value_kind::length);
     add_choice(*verb, "--fluid", options->fluid,
                {{"inside", ""}, {"outside", ""}, {"bright", ""}, {"dark", ""}},
-               "of the loops, or of a mask");
+               "of drawings or masks");
     verb->add_option("-o,--output", options->output, "write the loops there: x,y in um")
         ->type_name(value_kind::any_file);
     add_picture_option(*verb, options->picture);
     verb->footer(
         "A case reads such files itself: file = \"chip.dxf\" in [geometry], with the same\n"
         "keys. What is written can stand in the place of the drawing, where Python is\n"
-        "missing; beside it, as chip.dxf.loops.csv, it is taken as long as the drawing is\n"
-        "the same.\n\n"
+        "missing; beside it, as chip.dxf.loops.csv, it is taken as long as the drawing\n"
+        "is the same. Fluid is inside or outside of outlines, and where a mask is bright\n"
+        "or dark.\n\n"
         "  tanktread geometry chip.dxf --layer CHANNELS --picture\n"
         "  tanktread geometry mask.png --pixel \"0.5 um\" --fluid bright -o walls.csv");
     verb->callback([options, &action] { action = [options] { return convert(*options); }; });

@@ -175,7 +175,7 @@ std::vector<Feed> feeds_of(const Case& c, const Choice& choice, const Model& net
         feed.j = gate.upright ? gate.plane : gate.first() - network_margin;
         feed.room = room_at_feed(c).si / dx;
         feed.hematocrit = *c.ports[n].feed.hematocrit;
-        feed.seed = static_cast<std::uint64_t>(c.ports[n].feed.seed.value_or(1));
+        feed.seed = static_cast<std::uint64_t>(c.ports[n].feed.seed);
         feed.channel = std::make_shared<const Model>(channel_of(
             gate, feed.period, held.rate / (walls.sampled_flow() * gate.width()), network));
         list.push_back(std::move(feed));

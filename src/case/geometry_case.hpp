@@ -70,7 +70,7 @@ struct DrawnShape {
 struct FeedCase {
     std::optional<double> hematocrit;  ///< of the channel
     std::optional<Length> length;      ///< of the channel
-    std::optional<std::int64_t> seed;  ///< of its start; 1
+    std::int64_t seed = 1;             ///< of its start
 
     friend bool operator==(const FeedCase&, const FeedCase&) = default;
 };

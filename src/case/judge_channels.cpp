@@ -19,11 +19,10 @@ void judge_feed(Judge& judge, const Case& c, const PortCase& port) {
     const std::string path = fmt::format("port.{}.feed", port.name);
     const auto key = [&](std::string_view name) { return fmt::format("{}.{}", path, name); };
     if (!port.feeds()) {
-        for (const std::string_view name : {"length", "seed"})
-            if (judge.given(key(name)))
-                judge.tell({key(name)}, fmt::format("{} means nothing without cells; write "
-                                                    "hematocrit = \"20 %\" beside it",
-                                                    name));
+        if (judge.given(key("length")))
+            judge.tell({key("length")},
+                       "length means nothing without cells; write hematocrit = "
+                       "\"20 %\" beside it");
         return;
     }
     const double flow = port.mean_velocity ? port.mean_velocity->si

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <limits>
 
 #include <fmt/format.h>
@@ -116,6 +117,16 @@ void add_fork(const Json& fork, const Json& places, const Sections& sections, Js
     }
 }
 
+/// Of the cells that came in, by their numbers; the others were there at the start.
+std::map<double, double> times_of_entry(const std::filesystem::path& results) {
+    std::map<double, double> times;
+    if (!std::filesystem::exists(results / "entered.csv")) return times;
+    const Table entered = read_csv(results / "entered.csv");
+    const auto &cell = entered.column("cell"), &time = entered.column("time");
+    for (std::size_t k = 0; k < cell.size(); ++k) times[cell[k]] = time[k];
+    return times;
+}
+
 }  // namespace
 
 void summarise_sections(const std::filesystem::path& results, const Window& window,
@@ -142,10 +153,15 @@ void summarise_residence(const std::filesystem::path& results, Json& summary) {
     const Table left = read_csv(results / "left.csv");
     const auto& time = left.column("time");
     const auto& port = left.column("port");
+    const auto& cell = left.column("cell");
+    const std::map<double, double> entered = times_of_entry(results);
     for (std::size_t n = 0; n < places["ports"].size(); ++n) {
         std::vector<double> times;
         for (std::size_t k = 0; k < time.size(); ++k)
-            if (static_cast<std::size_t>(port[k]) == n) times.push_back(time[k]);
+            if (static_cast<std::size_t>(port[k]) == n) {
+                const auto came = entered.find(cell[k]);
+                times.push_back(time[k] - (came != entered.end() ? came->second : 0.0));
+            }
         double mean = 0.0, squares = 0.0;
         const auto count = static_cast<double>(times.size());
         for (const double t : times) mean += t / count;

@@ -78,7 +78,7 @@ def convert(path: pathlib.Path, options) -> tuple[str, dict]:
     if not 1.0 <= (high - low).max() <= 1e5:
         raise Refused(f"what is drawn measures {size}, with a unit of {drawing.unit}; chips are 1 um to 10 cm long: write the right "
                       + ("pixel" if options.pixel else "unit"))
-    if len(points) > 400_000:
+    if len(points) > 1_000_000:
         raise Refused(f"the loops have {len(points)} points; write a larger chord, as in chord = \"0.1 um\"")
     layers = "; ".join(f"{layer}: " + ", ".join(f"{count} {kind}" for kind, count in drawing.kinds[layer].items())
                        for layer in drawing.taken if drawing.kinds[layer])

@@ -53,6 +53,10 @@ def crossings(a: np.ndarray, b: np.ndarray, most: int = 4000) -> list[np.ndarray
     return found
 
 
+def first_ten(faults: list[str]) -> list[str]:
+    return faults[:10] + ([f"and {len(faults) - 10} more faults like these"] if len(faults) > 10 else [])
+
+
 def told_places(points) -> str:
     distinct = list(dict.fromkeys(place(point) for point in points))
     return " and ".join(distinct[:4]) + (f" and at {len(distinct) - 4} more places" if len(distinct) > 4 else "")
@@ -124,7 +128,7 @@ def nested(shapes, lines):
             elif smaller is shapes[k] and (shapes[k].area < shapes[other].area or other < k):
                 inside[k] += 1
     if faults:
-        raise Refused(*faults[:10])
+        raise Refused(*first_ten(faults))
     whole = Polygon()
     for depth in range(inside.max() + 1):
         level = unary_union([shape for shape, count in zip(shapes, inside) if count == depth])
@@ -161,7 +165,7 @@ def outlines(drawing: Drawing, off: float) -> Outlines:
             shapes.append(shape)
             kept.append(line)
     if faults:
-        raise Refused(*faults[:10])
+        raise Refused(*first_ten(faults))
     if not shapes:
         raise Refused("nothing in the file goes round an area")
     if drawing.union:
