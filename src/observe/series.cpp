@@ -69,13 +69,12 @@ void Series::examine(const ArchiveReader& archive, const State& state) {
         throw DamagedArchive("the checkpoint cannot be loaded: its last look has no time");
     const std::size_t cells =
         static_cast<std::size_t>(state.cells.cell_count()) + state.departed.size();
-    for (const char* name : {"series.phase", "series.last_rate"}) {
-        const auto values = archive.take<double>(name);
-        if (values.size() > cells)
-            throw DamagedArchive(fmt::format(
-                "the checkpoint cannot be loaded: '{}' has more numbers than there are cells",
-                name));
-    }
+    const auto count = archive.take<double>("series.phase").size();
+    // Cells may have come in since the last look.
+    const bool possible = count == 0 || (state.feeds.empty() ? count == cells : count <= cells);
+    if (!possible || archive.take<double>("series.last_rate").size() != count)
+        throw DamagedArchive(
+            "the checkpoint cannot be loaded: 'series.phase' is not of one number per cell");
 }
 
 }  // namespace tt

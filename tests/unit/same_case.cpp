@@ -63,7 +63,15 @@ void change_each(const Case& c, const std::string& path, const Of& of, const See
             Case changed = c;
             deeper(changed).emplace_back().name = "one";
             for_each_field<item_type<T>>([&](const auto& own) {
-                see(key + ".one." + std::string(own.key), changed);
+                const std::string of_one = key + ".one." + std::string(own.key);
+                using Own =
+                    std::remove_cvref_t<decltype(std::declval<item_type<T>&>().*own.member)>;
+                if constexpr (TomlTable<Own>)
+                    for_each_field<Own>([&](const auto& deep) {
+                        see(of_one + "." + std::string(deep.key), changed);
+                    });
+                else
+                    see(of_one, changed);
             });
         } else {
             Case changed = c;
