@@ -23,6 +23,7 @@ std::string pretty(std::string text) {
 /// What each port holds.
 std::string port_words(const Results& run) {
     std::vector<std::string> ports;
+    std::string feeds;
     for (const auto& [key, value] : run.settings) {
         if (key.rfind("port.", 0) != 0) continue;
         const std::size_t dot = key.rfind('.');
@@ -32,9 +33,12 @@ std::string port_words(const Results& run) {
             ports.push_back(fmt::format("{} with a flow rate of {}", name, pretty(value)));
         if (what == "mean_velocity")
             ports.push_back(fmt::format("{} with a mean velocity of {}", name, pretty(value)));
+        if (key.ends_with(".feed.hematocrit"))
+            feeds += fmt::format(" Cells come in through {}, from a channel at {}.",
+                                 name.substr(0, name.rfind('.')), pretty(value));
     }
     if (ports.empty()) return "";
-    return fmt::format("Ports drive the flow: {}.", fmt::join(ports, ", "));
+    return fmt::format("Ports drive the flow: {}.{}", fmt::join(ports, ", "), feeds);
 }
 
 std::string flow_words(const Results& run) {
@@ -74,7 +78,12 @@ std::string flow_words(const Results& run) {
 std::string cells_words(const Results& run) {
     if (run.setting("numerics.fluid_only") == "true") return "There are no cells.";
     std::string count = run.setting("cells.count");
-    if (count.empty() && run.frames) count = std::to_string(run.frames->header().first.size() - 1);
+    if (count.empty() && run.frames && run.frames->count() > 0) {
+        // Those of the first frame: others may have come in since.
+        const auto& first = run.frames->header().first;
+        const auto nodes = static_cast<std::int32_t>(run.frames->stored(0).nodes.size() / 2);
+        count = std::to_string(std::lower_bound(first.begin(), first.end(), nodes) - first.begin());
+    }
     std::string text = count.empty() ? "Cells" : count + (count == "1" ? " cell" : " cells");
     std::vector<std::string> details;
     const auto add = [&](const std::string& label, const char* key) {
