@@ -80,10 +80,10 @@ void add_cells(const Case& c, const Model& model, const State& initial, CasePict
         Loop loop;
         for (int k = 0; k < nodes.size(); ++k)
             loop.push_back(model.scales.length * (nodes[k] + model.origin));
-        const auto [low, high] = corners_of({loop});
+        const Corners own = corners_of({loop});
         const auto shows = [&](Vec2 by) {
-            return high.x + by.x > picture.low.x && low.x + by.x < picture.high.x &&
-                   high.y + by.y > picture.low.y && low.y + by.y < picture.high.y;
+            return own.high.x + by.x > picture.low.x && own.low.x + by.x < picture.high.x &&
+                   own.high.y + by.y > picture.low.y && own.low.y + by.y < picture.high.y;
         };
         for (const double right : {0.0, -size.x, size.x})
             for (const double up : {0.0, -size.y, size.y}) {
