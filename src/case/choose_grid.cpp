@@ -55,7 +55,7 @@ Margins network_margins(const Case& c, Length dx) {
     const int room = network_margin + static_cast<int>(std::ceil(room_at_feed(c).si / dx.si));
     Margins margins;
     for (std::size_t n = 0; n < openings.size(); ++n) {
-        if (!feeds(c, c.ports[n])) continue;
+        if (!lets_cells_in(c, c.ports[n])) continue;
         const Vec2 low{std::min(openings[n].from.x, openings[n].to.x),
                        std::min(openings[n].from.y, openings[n].to.y)};
         const Vec2 high = openings[n].from + openings[n].to - low;

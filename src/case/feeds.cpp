@@ -127,7 +127,7 @@ std::vector<std::string> faults_of_feeds(const Case& c, const Choice& choice, co
     std::vector<std::string> faults;
     const int room = static_cast<int>(std::ceil(room_at_feed(c).si / choice.dx.si));
     for (std::size_t n = 0; n < c.ports.size(); ++n) {
-        if (!feeds(c, c.ports[n]) || walls.openings[n].width == 0) continue;
+        if (!lets_cells_in(c, c.ports[n]) || walls.openings[n].width == 0) continue;
         const Gate gate = gate_of(walls, n);
         const int in = static_cast<int>(gate.in.x + gate.in.y);
         bool behind = false, before = false;
@@ -162,7 +162,7 @@ std::vector<Feed> feeds_of(const Case& c, const Choice& choice, const Model& net
     std::vector<Feed> list;
     const Walls& walls = *network.boundaries.walls;
     for (std::size_t n = 0; n < c.ports.size(); ++n) {
-        if (!feeds(c, c.ports[n])) continue;
+        if (!lets_cells_in(c, c.ports[n])) continue;
         const Gate gate = gate_of(walls, n);
         const double dx = choice.dx.si;
         const Length length = feed_length(c, c.ports[n].feed, Length{gate.width() * dx});
@@ -174,8 +174,6 @@ std::vector<Feed> feeds_of(const Case& c, const Choice& choice, const Model& net
         feed.i = gate.upright ? gate.first() - network_margin : gate.plane;
         feed.j = gate.upright ? gate.plane : gate.first() - network_margin;
         feed.room = room_at_feed(c).si / dx;
-        feed.hematocrit = *c.ports[n].feed.hematocrit;
-        feed.seed = static_cast<std::uint64_t>(c.ports[n].feed.seed);
         feed.channel = std::make_shared<const Model>(channel_of(
             gate, feed.period, held.rate / (walls.sampled_flow() * gate.width()), network));
         list.push_back(std::move(feed));

@@ -10,7 +10,7 @@
 namespace tt {
 
 /// Does this port let cells in? Without cells it holds its flow as others do.
-inline bool feeds(const Case& c, const PortCase& port) {
+inline bool lets_cells_in(const Case& c, const PortCase& port) {
     return port.feeds() && !c.numerics.fluid_only;
 }
 

@@ -70,7 +70,7 @@ struct DrawnShape {
 struct FeedCase {
     std::optional<double> hematocrit;  ///< of the channel
     std::optional<Length> length;      ///< of the channel
-    std::int64_t seed = 1;             ///< of its start
+    std::optional<std::int64_t> seed;  ///< of its start; else 1
 
     friend bool operator==(const FeedCase&, const FeedCase&) = default;
 };

@@ -264,13 +264,15 @@ void start(const Case& c, const Model& model, State& state) {
 State feed_at_start(const Case& c, const Model& network, const Feed& feed,
                     const LayoutWatch& watch) {
     const Model& channel = *feed.channel;
+    const FeedCase& asked = c.ports[static_cast<std::size_t>(feed.port)].feed;
     State state;
     const std::vector<Vec2> shape = stress_free_shape(c, channel.scales.length);
-    const double cells = feed.hematocrit * channel.open_area() / area_of(shape);
+    const double cells = *asked.hematocrit * channel.open_area() / area_of(shape);
     const std::string& port = network.port_names[static_cast<std::size_t>(feed.port)];
     for (const Placement& place :
          random_placements(shape, std::max(1, static_cast<int>(std::lround(cells))),
-                           {channel.lattice, channel.boundaries.walls.get()}, feed.seed, watch,
+                           {channel.lattice, channel.boundaries.walls.get()},
+                           static_cast<std::uint64_t>(asked.seed.value_or(1)), watch,
                            fmt::format("[port.{}.feed]", port)))
         add_placed(shape, place, state.cells);
     start(c, channel, state);

@@ -19,10 +19,11 @@ void judge_feed(Judge& judge, const Case& c, const PortCase& port) {
     const std::string path = fmt::format("port.{}.feed", port.name);
     const auto key = [&](std::string_view name) { return fmt::format("{}.{}", path, name); };
     if (!port.feeds()) {
-        if (judge.given(key("length")))
-            judge.tell({key("length")},
-                       "length means nothing without cells; write hematocrit = "
-                       "\"20 %\" beside it");
+        for (const std::string_view name : {"length", "seed"})
+            if (judge.given(key(name)))
+                judge.tell({key(name)}, fmt::format("{} means nothing without cells; write "
+                                                    "hematocrit = \"20 %\" beside it",
+                                                    name));
         return;
     }
     const double flow = port.mean_velocity ? port.mean_velocity->si
@@ -130,7 +131,7 @@ void judge_ports(Judge& judge, const Case& c) {
 
 void judge_feeds(Judge& judge, const Case& c) {
     for (const PortCase& port : c.ports) {
-        if (!feeds(c, port) || !port.feed.length) continue;
+        if (!lets_cells_in(c, port) || !port.feed.length) continue;
         const Length least{4.0 * room_at_feed(c).si};
         if (*port.feed.length < least)
             judge.tell({fmt::format("port.{}.feed.length", port.name)},

@@ -23,7 +23,7 @@ int number_of(const std::vector<Section>& sections, const std::string& name) {
     throw CaseError({{"", 0, 0, fmt::format("[{}.{}] {}", table, name, std::move(why))}});
 }
 
-/// What plasma alone carries through a section, as a share of what it carries through another.
+/// What plasma alone carries through a section, whichever way.
 double flow_of(const std::vector<Section>& sections, int n) {
     return std::fabs(sections[static_cast<std::size_t>(n)].plasma.inflow);
 }

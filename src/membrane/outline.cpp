@@ -47,6 +47,12 @@ double perimeter(const Outline& outline) {
     return sum;
 }
 
+Vec2 middle_of(const Outline& outline) {
+    Vec2 sum;
+    for (int k = 0; k < outline.size(); ++k) sum += outline[k];
+    return sum / static_cast<double>(outline.size());
+}
+
 AreaMoments area_moments(const Outline& outline) {
     double area = 0.0;
     Vec2 first;

@@ -20,6 +20,9 @@ double signed_area(const Outline& outline);
 /// Sum of the segment lengths, L_C.
 double perimeter(const Outline& outline);
 
+/// Mean of the nodes.
+Vec2 middle_of(const Outline& outline);
+
 /// Area, centroid of the area, and central second moments ∫ (x − x_c)² dA and so on, exact for the
 /// polygon.
 struct AreaMoments {

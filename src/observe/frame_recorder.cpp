@@ -133,9 +133,9 @@ void FrameRecorder::resume(const ArchiveReader& archive) {
 }
 
 void FrameRecorder::observe(const Snapshot& snapshot) {
-    const AllCells all = all_cells(snapshot.state());
-    if (all.first.size() > header_.first.size()) {
-        FramesHeader now = frames_header(snapshot.model(), snapshot.state(), header_.name);
+    const State& state = snapshot.state();
+    if (state.cells.id.size() + state.departed.size() >= header_.first.size()) {  // more have come
+        FramesHeader now = frames_header(snapshot.model(), state, header_.name);
         header_.first = now.first;
         writer_->add_cells(std::move(now.first), std::move(now.rest_length));
     }

@@ -68,4 +68,13 @@ void LookAverage::save(ArchiveOutput& archive) const {
     archive.put_value(name_ + ".size", looks_->size());
 }
 
+void LookAverage::write(const std::function<std::string()>& table) const {
+    const std::filesystem::path path = file_.parent_path().parent_path() / table_;
+    std::error_code ignored;
+    if (samples_ == 0)
+        std::filesystem::remove(path, ignored);
+    else
+        replace_file(path, table(), Durability::power);
+}
+
 }  // namespace tt

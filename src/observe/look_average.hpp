@@ -28,6 +28,9 @@ public:
     void look(Time time, const std::vector<double>& numbers);
     void sync() { looks_->sync(); }
     void save(ArchiveOutput& archive) const;
+    /// Replaces the table in the results; without looks in the window there is none, nor is there
+    /// one of another window.
+    void write(const std::function<std::string()>& table) const;
 
     std::int64_t samples() const { return samples_; }
     double mean(std::size_t k) const { return sums_[k] / static_cast<double>(samples_); }

@@ -5,9 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "observe/entered_cells.hpp"
+#include "observe/passages.hpp"
 #include "observe/frame_recorder.hpp"
-#include "observe/left_cells.hpp"
 #include "observe/port_series.hpp"
 #include "observe/profile_average.hpp"
 #include "observe/section_profiles.hpp"
@@ -65,8 +64,8 @@ Observers observers_of(const RunRequest& request, const std::filesystem::path& r
         observers.add(
             std::make_unique<SectionProfiles>(rows, results, request.average_from, model, say));
     }
-    if (!model.exits.empty()) observers.add(std::make_unique<LeftCells>(rows, results));
-    if (!model.feeds.empty()) observers.add(std::make_unique<EnteredCells>(rows, results));
+    if (!model.exits.empty()) observers.add(left_cells(rows, results));
+    if (!model.feeds.empty()) observers.add(entered_cells(rows, results));
     observers.add(std::make_unique<FrameRecorder>(Schedule(frames.si, dt), with_fields, results,
                                                   header, say));
     return observers;

@@ -10,7 +10,6 @@ ProfileAverage::ProfileAverage(const Schedule& schedule, const std::filesystem::
                                Time from, const Model& model,
                                std::function<void(const std::string&)> say)
     : Observer(schedule),
-      directory_(directory),
       spacing_(model.scales.length),
       rows_(static_cast<std::size_t>(model.lattice.ny)),
       average_(directory, "profiles", "profiles.csv", from, 2 * rows_, std::move(say)) {}
@@ -22,23 +21,13 @@ void ProfileAverage::observe(const Snapshot& snapshot) {
     average_.look(snapshot.time(), look);
 }
 
-void ProfileAverage::sync() {
-    average_.sync();
-    write();
-}
-
-void ProfileAverage::write() const {
-    if (average_.samples() == 0) {  // nor is there any of another window
-        std::error_code ignored;
-        std::filesystem::remove(directory_ / "profiles.csv", ignored);
-        return;
-    }
+std::string ProfileAverage::table() const {
     std::string text = csv_header<ProfileRow>();
     for (std::size_t j = 0; j < rows_; ++j)
         text += csv_row(ProfileRow{Length{(static_cast<double>(j) + 0.5) * spacing_},
                                    Velocity{average_.mean(j)}, average_.mean(rows_ + j),
                                    average_.samples()});
-    replace_file(directory_ / "profiles.csv", text, Durability::power);
+    return text;
 }
 
 }  // namespace tt

@@ -39,14 +39,19 @@ public:
     void start() override { average_.start(); }
     void resume(const ArchiveReader& archive) override { average_.resume(archive); }
     void observe(const Snapshot& snapshot) override;
-    void sync() override;
+    void sync() override {
+        average_.sync();
+        write();
+    }
     void save(ArchiveOutput& archive) const override { average_.save(archive); }
     void finish() override { write(); }
 
 private:
-    void write() const;
+    void write() const {
+        average_.write([this] { return table(); });
+    }
+    std::string table() const;
 
-    std::filesystem::path directory_;
     double spacing_;  ///< of the rows [m]
     std::size_t rows_;
     LookAverage average_;  ///< velocity [m/s], then hematocrit, of each row

@@ -21,7 +21,6 @@ SectionProfiles::SectionProfiles(const Schedule& schedule, const std::filesystem
                                  Time from, const Model& model,
                                  std::function<void(const std::string&)> say)
     : Observer(schedule),
-      directory_(directory),
       model_(model),
       average_(directory, "section_profiles", "section_profiles.csv", from, numbers_of(model),
                std::move(say)) {}
@@ -41,18 +40,7 @@ void SectionProfiles::observe(const Snapshot& snapshot) {
     average_.look(snapshot.time(), look);
 }
 
-void SectionProfiles::sync() {
-    average_.sync();
-    write();
-}
-
-void SectionProfiles::write() const {
-    const std::filesystem::path file = directory_ / "section_profiles.csv";
-    if (average_.samples() == 0) {  // nor is there any of another window
-        std::error_code ignored;
-        std::filesystem::remove(file, ignored);
-        return;
-    }
+std::string SectionProfiles::table() const {
     std::string text = csv_header<SectionProfileRow>();
     std::size_t first = 0;
     for (std::size_t n = 0; n < model_.sections.size(); ++n) {
@@ -70,7 +58,7 @@ void SectionProfiles::write() const {
         }
         first += 2 * rows;
     }
-    replace_file(file, text, Durability::power);
+    return text;
 }
 
 }  // namespace tt

@@ -12,12 +12,6 @@ namespace {
 
 constexpr double reach = Lattice::halo;  ///< of a kernel
 
-Vec2 middle_of(const Outline& shape) {
-    Vec2 sum;
-    for (int k = 0; k < shape.size(); ++k) sum += shape[k];
-    return sum / static_cast<double>(shape.size());
-}
-
 /// Nothing but fluid between a place and the exit ahead of it.
 bool in_sight(const Exit& exit, const Walls& walls, Vec2 place, double way) {
     for (double at = 0.0; at < way - 0.5; at += 1.0) {
@@ -31,12 +25,11 @@ bool in_sight(const Exit& exit, const Walls& walls, Vec2 place, double way) {
 Departed departed(const Exit& exit, std::int64_t number, const State& state, int cell) {
     const Suspension& cells = state.cells;
     const Outline shape = outline(cells, cell);
-    const Vec2 along = exit.to - exit.from;
     Departed d;
     d.id = cells.id[cell];
     d.time = static_cast<double>(state.step);
     d.exit = number;
-    d.place = dot(middle_of(shape) - exit.from, along) / norm(along);
+    d.place = place_along(exit, middle_of(shape));
     d.area = area_moments(shape).area;
     d.lambda_C = perimeter(shape) / cells.reference_perimeter[cell];
     for (int n = cells.first[cell]; n < cells.first[cell + 1]; ++n) {
@@ -70,6 +63,12 @@ double way_to(const Exit& exit, const Model& model, const Suspension& cells, int
 }
 
 }  // namespace
+
+double place_along(const Exit& exit, Vec2 point) {
+    const Vec2 along = exit.to - exit.from;
+    const double from = dot(point - exit.from, along) / norm(along);
+    return along.x + along.y > 0.0 ? from : norm(along) - from;
+}
 
 double way_to(const Exit& exit, const Model& model, const Suspension& cells, int cell) {
     return way_to(exit, model, cells, cell, middle_of(outline(cells, cell)));

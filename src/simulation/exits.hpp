@@ -22,12 +22,15 @@ struct Exit {
 struct Departed {
     std::int64_t id = 0, exit = 0;
     double time = 0.0;      ///< [steps]; no whole number once the time step has changed
-    double place = 0.0;     ///< of its middle along the port, from `from`
+    double place = 0.0;     ///< of its middle along the port
     double lambda_C = 1.0;  ///< as it left, forces faded
     double speed = 0.0;     ///< through the port
     double area = 0.0;
     std::vector<double> rest_length;  ///< of its segments
 };
+
+/// How far along a port a point is: from its lower or left end, whichever way round it was drawn.
+double place_along(const Exit& exit, Vec2 point);
 
 /// How far the foremost node of a cell is from an exit that it is before; infinite where it is not.
 double way_to(const Exit& exit, const Model& model, const Suspension& cells, int cell);

@@ -64,7 +64,8 @@ void let_go(const Feed& feed, FeedState& from, Suspension& cells) {
 }
 
 /// Adds to the network what has come to the port in the feed.
-void admit(const Feed& feed, std::int32_t leader, FeedState& from, State& state) {
+void admit(const Model& model, const Feed& feed, std::int32_t leader, FeedState& from,
+           State& state) {
     const std::int32_t turn = from.turn[static_cast<std::size_t>(leader)]++;
     const auto id = static_cast<std::int32_t>(state.cells.id.size() + state.departed.size());
     copy_cell(from.state.cells, leader, moved_by(feed, turn), state.cells);
@@ -77,10 +78,9 @@ void admit(const Feed& feed, std::int32_t leader, FeedState& from, State& state)
     }
     from.followers.push_back({id, leader, turn});
     const Outline shape = outline(state.cells, cell);
-    Vec2 middle;
-    for (int k = 0; k < shape.size(); ++k) middle += shape[k] / static_cast<double>(shape.size());
+    const Exit& port = model.exits[static_cast<std::size_t>(feed.port)];
     from.entered.push_back({id, static_cast<double>(state.step),
-                            feed.in.x != 0.0 ? middle.y : middle.x, area_moments(shape).area});
+                            place_along(port, middle_of(shape)), area_moments(shape).area});
 }
 
 }  // namespace
@@ -101,10 +101,14 @@ bool admit_cells(const Model& model, State& state) {
         FeedState& from = state.feeds[n];
         count_turns(feed, from);
         let_go(feed, from, state.cells);
-        for (std::int32_t c = 0; c < from.state.cells.cell_count(); ++c) {
-            const double front = progress_of(feed, from.state.cells, c).front;
-            if (front >= from.turn[static_cast<std::size_t>(c)] * double(feed.period) - reach)
-                admit(feed, c, from, state);
+        const Suspension& cells = from.state.cells;
+        for (std::int32_t c = 0; c < cells.cell_count(); ++c) {
+            const double port = from.turn[static_cast<std::size_t>(c)] * double(feed.period);
+            // No node is farther from another than half of the perimeter.
+            const double one = dot(cells.position(cells.first[c]), feed.in);
+            if (one + 0.5 * cells.perimeter[c] < port - reach) continue;
+            if (progress_of(feed, cells, c).front >= port - reach)
+                admit(model, feed, c, from, state);
         }
     }
     return state.cells.cell_count() > before;

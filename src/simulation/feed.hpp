@@ -22,12 +22,10 @@ struct Sites;
 struct Feed {
     std::shared_ptr<const Model> channel;
     int port = 0;
-    int period = 0;           ///< of the channel, along its flow
-    Vec2 in;                  ///< direction of its flow, into the network
-    int i = 0, j = 0;         ///< site of the network that is site (0, 0) of the channel
-    double room = 0.0;        ///< behind the port and before it, in which cells are led
-    double hematocrit = 0.0;  ///< of the channel
-    std::uint64_t seed = 1;   ///< of the places of its cells at the start
+    int period = 0;     ///< of the channel, along its flow
+    Vec2 in;            ///< direction of its flow, into the network
+    int i = 0, j = 0;   ///< site of the network that is site (0, 0) of the channel
+    double room = 0.0;  ///< behind the port and before it, in which cells are led
 };
 
 /// A cell of the network that is still led: its nodes are where those of a cell of the feed are.
@@ -41,7 +39,7 @@ struct Follower {
 struct Entered {
     std::int64_t id = 0;
     double time = 0.0;   ///< [steps], when its foremost node came to the port
-    double place = 0.0;  ///< of its middle across the channel, from the corner of the box
+    double place = 0.0;  ///< of its middle along the port
     double area = 0.0;
 };
 

@@ -54,12 +54,6 @@ void place(const Model& model, Vec2 position, Instability& what) {
     what.y = position.y * model.scales.length;
 }
 
-Vec2 centre_of(const Outline& outline) {
-    Vec2 sum{};
-    for (int k = 0; k < outline.size(); ++k) sum += outline[k];
-    return sum / static_cast<double>(outline.size());
-}
-
 Instability fault_at_node(const Model& model, const State& state, int node, Reading reading) {
     Instability what = fault(model, state, std::move(reading));
     place(model, state.cells.position(node), what);
@@ -95,13 +89,12 @@ TT_CLONES int count_faults(const NodesWatched& watched) {
     return faults;
 }
 
-/// Every node finite and, where there are walls, in the open.
-std::optional<Instability> node_places(const Model& model, const State& state, Range of_cells) {
+/// Of the nodes of one cell, each finite and, where there are walls, in the open.
+std::optional<Instability> node_places(const Model& model, const State& state, int cell) {
     const Suspension& cells = state.cells;
     const double height = model.lattice.ny;
     const Walls* const walls = model.boundaries.walls.get();
-    for (int n = cells.first[of_cells.first]; n < cells.first[of_cells.second]; ++n) {
-        if (cells.led[static_cast<std::size_t>(cell_of(cells, n))] != 0) continue;  // by its feed
+    for (int n = cells.first[cell]; n < cells.first[cell + 1]; ++n) {
         const double x = cells.x[n];
         const double y = cells.y[n];
         const bool known = std::abs(x) < farthest && std::abs(y) < farthest;
@@ -170,7 +163,7 @@ std::optional<Instability> areas(const Model& model, const State& state, double 
             error <= -1.0 ? "area error (the outline is inside out)" : "area error";
         Instability what = fault(model, state, {quantity, 100.0 * error, 100.0 * limit, "%"});
         what.cell = cells.id[c];
-        place(model, centre_of(outline(cells, c)), what);
+        place(model, middle_of(outline(cells, c)), what);
         what.cause = "the membrane leaks or the cell collapsed";
         what.cure = "a larger area_stiffness, a finer node spacing or a smaller dt";
         return what;
@@ -271,7 +264,10 @@ std::optional<Instability> Health::examine(const Model& model, const State& stat
 
 std::optional<Instability> Health::examine(const Model& model, const State& state,
                                            const Share& share) const {
-    if (auto found = node_places(model, state, share.cells)) return found;
+    for (int c = share.cells.first; c < share.cells.second; ++c) {
+        if (state.cells.led[static_cast<std::size_t>(c)] != 0) continue;  // partly behind its port
+        if (auto found = node_places(model, state, c)) return found;
+    }
     const auto too_fast = [&](const auto& sites) {
         return speeds(model, state, sites.velocity, limits_.mach, share.rows);
     };

@@ -1,14 +1,11 @@
 #include "verify/balance.hpp"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
 
-#include <fmt/format.h>
-
 #include "coupling/jump.hpp"
 #include "fluid/moments.hpp"
+#include "io/temporary_folder.hpp"
 #include "membrane/shapes.hpp"
 #include "simulation/state_archive.hpp"
 
@@ -88,15 +85,14 @@ bool same_bits_after_restart() {
     Experiment straight = crowded_shear(1), stopped = crowded_shear(1);
     straight.advance_by(steps);
     stopped.advance_by(steps / 2 - 1);  // an odd step: the populations' other phase
-    const std::filesystem::path path =
-        std::filesystem::temp_directory_path() / fmt::format("tanktread-selftest-{}", ::getpid());
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path / "state";
     {
         ArchiveWriter archive(path);
         save_state(archive, stopped.state);
         archive.commit();
     }
     stopped.state = load_state(ArchiveReader(path), stopped.model, stopped.ends);
-    std::filesystem::remove(path);
     stopped.advance_by(steps - stopped.state.step);
     return state_hash(straight.state) == state_hash(stopped.state);
 }

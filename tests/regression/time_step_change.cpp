@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/random.hpp"
 #include "io/archive.hpp"
 #include "simulation/advance.hpp"
 #include "simulation/rescale.hpp"
@@ -109,6 +110,38 @@ TEST(TimeStepChanges, keep_the_time) {
     EXPECT_EQ(state.step, 2002);
     change_time_step(with_step(0.3, LinearEquilibrium{}), 0.6, state);
     EXPECT_EQ(state.step, 3337);
+}
+
+/// A force along y counts as one along x does: with x and y changed over, so is the result.
+TEST(TimeStepOfForce, changes_the_same_along_both_axes) {
+    const auto over = [](int direction) {
+        for (int k = 0; k < d2q9::count; ++k)
+            if (d2q9::cx[k] == d2q9::cy[direction] && d2q9::cy[k] == d2q9::cx[direction]) return k;
+        return 0;
+    };
+    const auto changed = [&](bool turned) {
+        Model model;
+        model.lattice = {5, 5, false};
+        model.equilibrium = IncompressibleEquilibrium{};
+        model.drive.direction = turned ? Vec2{0.3, 1.0} : Vec2{1.0, 0.3};
+        State state;
+        state.drive.body_force = 0.05;
+        state.sites = sites_at_rest(model.lattice, Precision::fp64);
+        auto& populations = std::get<Sites<double>>(state.sites).populations;
+        Random random(7);
+        for (int j = 0; j < 5; ++j)
+            for (int i = 0; i < 5; ++i)
+                for (int k = 0; k < d2q9::count; ++k)
+                    populations.set_slot(turned ? over(k) : k, turned ? j : i, turned ? i : j,
+                                         0.01 * random.uniform());
+        change_time_step(model, 0.5, state);
+        return std::get<Sites<double>>(state.sites).populations;
+    };
+    const auto one = changed(false), other = changed(true);
+    for (int j = 0; j < 5; ++j)
+        for (int i = 0; i < 5; ++i)
+            for (int k = 0; k < d2q9::count; ++k)
+                EXPECT_NEAR(one.slot(k, i, j), other.slot(over(k), j, i), 1e-15);
 }
 
 }  // namespace

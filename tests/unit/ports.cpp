@@ -10,6 +10,7 @@
 #include "case/choose.hpp"
 #include "case/read.hpp"
 #include "case/write.hpp"
+#include "faults_of.hpp"
 #include "source_dir.hpp"
 
 namespace tt {
@@ -19,14 +20,7 @@ const std::string fork = TT_SOURCE_DIR "/cases/07-fork/case.toml";
 
 /// All that is told of the fork with these changes.
 std::string told(const std::vector<std::string>& set) {
-    try {
-        choose(read_case(fork, set));
-    } catch (const CaseError& error) {
-        std::string all;
-        for (const Fault& fault : error.faults()) all += to_string(fault) + '\n';
-        return all;
-    }
-    return "";
+    return faults_of([&] { choose(read_case(fork, set)); });
 }
 
 void expect_told(const std::vector<std::string>& set, const std::string& part) {

@@ -11,22 +11,17 @@
 #include "case/write.hpp"
 #include "observe/section_measures.hpp"
 #include "membrane/shapes.hpp"
+#include "faults_of.hpp"
 #include "source_dir.hpp"
 
 namespace tt {
 namespace {
 
 std::string told(const std::vector<std::string>& set, const std::string& file = "07-fork") {
-    try {
-        std::vector<std::string> all = set;
-        all.insert(all.end(), {"numerics.dx=1 um", "numerics.fluid_only=true"});
-        discretise(read_case(TT_SOURCE_DIR "/cases/" + file + "/case.toml", all));
-    } catch (const CaseError& error) {
-        std::string all;
-        for (const Fault& fault : error.faults()) all += to_string(fault) + '\n';
-        return all;
-    }
-    return "";
+    std::vector<std::string> all = set;
+    all.insert(all.end(), {"numerics.dx=1 um", "numerics.fluid_only=true"});
+    return faults_of(
+        [&] { discretise(read_case(TT_SOURCE_DIR "/cases/" + file + "/case.toml", all)); });
 }
 
 void expect_told(const std::vector<std::string>& set, const std::string& part) {

@@ -9,16 +9,7 @@ namespace tt {
 
 ShapeFaults BendShape::faults() const {
     ShapeFaults faults;
-    if (lengths.size() != 2)
-        faults.emplace_back("lengths",
-                            "a bend has a channel before and one behind it; write "
-                            "lengths = [\"60 um\", \"60 um\"]");
-    for (const Length length : lengths)
-        if (length < width)
-            faults.emplace_back("lengths",
-                                fmt::format("a piece of {} is shorter than the channel is wide, "
-                                            "{}; write at least {}",
-                                            um(length.si), um(width.si), um(2.0 * width.si)));
+    judge_ends(lengths, width, faults);
     if (radius.si < 0.6 * width.si)
         faults.emplace_back("radius",
                             fmt::format("the middle line bends at {}, and of a channel of {} the "

@@ -77,6 +77,19 @@ Loop ChannelPen::outline() const {
     return loop;
 }
 
+void judge_ends(const std::vector<Length>& lengths, Length width, ShapeFaults& faults) {
+    if (lengths.size() != 2)
+        faults.emplace_back("lengths",
+                            "there is a channel before and one behind it; write lengths = "
+                            "[\"60 um\", \"60 um\"]");
+    for (const Length length : lengths)
+        if (length < width)
+            faults.emplace_back("lengths",
+                                fmt::format("a piece of {} is shorter than the channel is wide, "
+                                            "{}; write at least {}",
+                                            um(length.si), um(width.si), um(2.0 * width.si)));
+}
+
 Vec2 meeting_of(Vec2 a, double angle_a, Vec2 b, double angle_b) {
     const Vec2 along = unit(angle_a), other = unit(angle_b);
     return a + cross(b - a, other) / cross(along, other) * along;

@@ -77,6 +77,9 @@ private:
     Loop right_, left_;
 };
 
+/// What is wrong with `lengths` of a channel before and one behind, each at least as long as wide.
+void judge_ends(const std::vector<Length>& lengths, Length width, ShapeFaults& faults);
+
 /// The point where two lines meet, each a point and an angle.
 Vec2 meeting_of(Vec2 a, double angle_a, Vec2 b, double angle_b);
 

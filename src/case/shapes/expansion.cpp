@@ -8,16 +8,7 @@ namespace tt {
 
 ShapeFaults ExpansionShape::faults() const {
     ShapeFaults faults;
-    if (lengths.size() != 2)
-        faults.emplace_back("lengths",
-                            "there is a channel before and one behind it; write lengths "
-                            "= [\"60 um\", \"60 um\"]");
-    for (const Length length : lengths)
-        if (length < width)
-            faults.emplace_back("lengths",
-                                fmt::format("a piece of {} is shorter than the channel is wide, "
-                                            "{}; write at least {}",
-                                            um(length.si), um(width.si), um(2.0 * width.si)));
+    judge_ends(lengths, width, faults);
     if (wide_length.si < 0.5 * wide_width.si)
         faults.emplace_back("wide_length",
                             fmt::format("the wide piece is {} long and {} wide; write at least {}",

@@ -40,18 +40,8 @@ ShapeFaults LoopShape::faults() const {
         faults.emplace_back("branch_widths",
                             "a loop has two branches; write branch_widths = [\"14 "
                             "um\", \"9.2 um\"], the upper one first");
-    if (lengths.size() != 2)
-        faults.emplace_back("lengths",
-                            "there is a channel before and one behind it; write lengths "
-                            "= [\"60 um\", \"60 um\"]");
-    if (!faults.empty()) return faults;
-    for (const Length length : lengths)
-        if (length < parent_width)
-            faults.emplace_back(
-                "lengths",
-                fmt::format("a piece of {} is shorter than the channel is wide, "
-                            "{}; write at least {}",
-                            um(length.si), um(parent_width.si), um(2.0 * parent_width.si)));
+    judge_ends(lengths, parent_width, faults);
+    if (branch_widths.size() != 2 || lengths.size() != 2) return faults;
     const LeftHalf left(*this);
     const double needed = 2.0 * std::fabs(left.tip.y) + 2e-6;
     if (island_width.si < needed)
