@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -18,6 +19,10 @@
 #include "simulation/state.hpp"
 
 namespace tt {
+
+/// Of a whole small run: it takes a tenth of a second and more, so that a stop can come after 20
+/// to 50 ms.
+inline constexpr std::int64_t small_steps = 6001;
 
 /// Two cells in a small sheared box, some milliseconds of a thousand steps a second of wall time:
 /// for tests of what a run does around its steps.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "app/calibration.hpp"
 #include "app/calibration_directory.hpp"
 #include "app/option_values.hpp"
+#include "base/undefined.hpp"
 #include "base/tell.hpp"
 #include "app/run_pool.hpp"
 #include "app/run_request.hpp"
@@ -145,9 +145,8 @@ void Calibrator::read_answers(TriedPair& pair) const {
         }
         const auto n = static_cast<double>(seeds);
         pair.found.push_back(sum / n);
-        pair.scatter.push_back(seeds > 1
-                                   ? std::sqrt(std::max(squares - sum * sum / n, 0.0) / (n - 1.0))
-                                   : std::numeric_limits<double>::quiet_NaN());
+        pair.scatter.push_back(
+            seeds > 1 ? std::sqrt(std::max(squares - sum * sum / n, 0.0) / (n - 1.0)) : undefined);
     }
 }
 

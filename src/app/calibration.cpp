@@ -103,8 +103,6 @@ double way_to(const Calibration& c, const TriedPair& pair) {
     return e.way(e.best, c.place(pair.D, pair.beta));
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json to_json(const Uncertain& u) {
     return {{"value", u.value},
             {"standard_uncertainty", u.deviation},
@@ -167,9 +165,9 @@ std::string describe(const Calibration& c) {
             "uncertainties away\n",
             to_text(own->D), to_text(own->beta), misfit(own->found, goals), way_to(c, *own));
     text += described_failures(c);
-    text +=
-        fmt::format("\n[membrane.hardening]\nform = {}\nD    = {}\nbeta = {}\n",
-                    toml_string(word_of(hardening_of(c).form)), to_text(c.best().D), to_text(c.best().beta));
+    text += fmt::format("\n[membrane.hardening]\nform = {}\nD    = {}\nbeta = {}\n",
+                        toml_string(word_of(hardening_of(c).form)), to_text(c.best().D),
+                        to_text(c.best().beta));
     return text;
 }
 

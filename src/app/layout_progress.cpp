@@ -11,12 +11,12 @@
 namespace tt {
 
 LayoutWatch layout_progress(ProgressMode mode) {
-    using Clock = std::chrono::steady_clock;
     constexpr double patience = 2.0;  // seconds
     const auto progress = std::make_shared<Progress>(mode);
-    const auto started = Clock::now();
+    const auto started = std::chrono::steady_clock::now();
     return [progress, started, next = patience](int cells, double filled) mutable {
-        const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
+        const double seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
         if (seconds < next) return;
         next = seconds + progress->interval();
         const Json json{{"placing_cells", cells}, {"area_share", filled}};

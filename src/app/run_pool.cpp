@@ -1,4 +1,5 @@
 #include "app/run_pool.hpp"
+#include "base/undefined.hpp"
 #include "base/tell.hpp"
 
 #include <algorithm>
@@ -233,8 +234,7 @@ PoolStanding Pool::standing() const {
     now.running = static_cast<int>(running_.size());
     now.waiting = static_cast<int>(waiting_.size());
     now.ended = jobs_ - now.running - now.waiting;
-    now.seconds_left = work_ > left ? left * seconds_since(begin_) / (work_ - left)
-                                    : std::numeric_limits<double>::quiet_NaN();
+    now.seconds_left = work_ > left ? left * seconds_since(begin_) / (work_ - left) : undefined;
     return now;
 }
 

@@ -33,8 +33,7 @@ void print_row(const Check& c) {
 }  // namespace
 
 int run_selftest(std::span<const SelftestPart> parts, bool json) {
-    using Clock = std::chrono::steady_clock;
-    const auto begin = Clock::now();
+    const auto begin = std::chrono::steady_clock::now();
     int failed = 0, count = 0;
     Json list = Json::array();
     if (!json)
@@ -59,7 +58,8 @@ int run_selftest(std::span<const SelftestPart> parts, bool json) {
     }
     if (json) fmt::print("{}\n", list.dump(2));
     std::fflush(stdout);  // before what goes to stderr
-    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (failed > 0)
         tell_user("tanktread: {} of {} checks failed: do not trust this build\n", failed, count);
     else

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "base/undefined.hpp"
 
 namespace tt {
 
@@ -58,8 +59,8 @@ struct Instability {
     double time = 0.0;  ///< [s]
     int cell = -1;
     int node = -1;
-    double x = std::numeric_limits<double>::quiet_NaN();  ///< place in the box [m]; nan: everywhere
-    double y = std::numeric_limits<double>::quiet_NaN();
+    double x = undefined;  ///< place in the box [m]; nan: everywhere
+    double y = undefined;
     std::string cause;  ///< likely cause
     std::string cure;   ///< what to change
 };

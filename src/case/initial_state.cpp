@@ -147,7 +147,7 @@ void refuse_bad_placements(const Model& m, const Suspension& cells) {
     }
     for (int c = 0; c < cells.cell_count(); ++c)
         for (std::size_t n = 0; n < m.exits.size(); ++n)
-            if (way_to(m.exits[n], m, cells, c) < Lattice::halo)
+            if (way_to(m.exits[n], m, cells, c) < kernel_reach)
                 faults.push_back({"", 0, 0,
                                   fmt::format("[cells] cell {} lies in port '{}'; move it into the "
                                               "channel",

@@ -15,7 +15,7 @@ namespace tt {
 namespace {
 
 /// Cells that come in.
-void judge_feed(Judge& judge, const Case& c, const PortCase& port) {
+void judge_feed(Judge& judge, const PortCase& port) {
     const std::string path = fmt::format("port.{}.feed", port.name);
     const auto key = [&](std::string_view name) { return fmt::format("{}.{}", path, name); };
     if (!port.feeds()) {
@@ -66,7 +66,7 @@ void judge_port(Judge& judge, const Case& c, const PortCase& port) {
                    "\"0.02 mm^2/s\" or mean_velocity = \"1 mm/s\"");
     judge_wave(judge, port.waveform, path,
                port.feeds() ? "cells come in with a steady flow; leave waveform out here" : "");
-    judge_feed(judge, c, port);
+    judge_feed(judge, port);
     if (own.empty() && !std::holds_alternative<DrawnShape>(c.geometry.shape))
         judge.tell({path}, fmt::format("a port means nothing with shape = \"{}\"; write shape = "
                                        "\"file\", or one of the channels between ports, in "

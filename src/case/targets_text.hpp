@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "case/reader.hpp"
+#include "base/undefined.hpp"
 #include "case/targets.hpp"
 
 namespace tt {
@@ -23,7 +23,7 @@ struct SearchTable {
 /// [[target]]
 struct TargetTable {
     std::string quantity;
-    Measure value{std::numeric_limits<double>::quiet_NaN(), {}};
+    Measure value{undefined, {}};
     Measure uncertainty;
     std::vector<std::string> set;
 };

@@ -8,8 +8,6 @@
 namespace tt {
 namespace {
 
-constexpr int width = Stencils<>::width;
-
 /// One node's sites in double, before they are kept.
 struct Block {
     int count = 0;
@@ -73,7 +71,7 @@ bool is_cut(const Walls& walls, const Stencils<Real>& stencils, int node) {
     for (int l = 0; l < stencils.points; ++l)
         for (int k = 0; k < stencils.points; ++k)
             if (!walls.open(stencils.i[node] + k, stencils.j[node] + l) &&
-                stencils.wy[width * node + l] != 0)
+                stencils.wy[stencils.width * node + l] != 0)
                 return true;
     return false;
 }
@@ -94,8 +92,8 @@ CutStencil<Real> cut_stencil(const Walls& walls, const Stencils<Real>& stencils,
         block.x[n] = k + 0.5 - x;
         block.y[n] = l + 0.5 - y;
         if (walls.open(i + k, j + l))
-            block.weight[n] =
-                double{stencils.wx[width * node + k]} * double{stencils.wy[width * node + l]};
+            block.weight[n] = double{stencils.wx[stencils.width * node + k]} *
+                              double{stencils.wy[stencils.width * node + l]};
     }
     CutStencil<Real> cut{node, i, j, {}, {}, {}, 1.0, {}};
     cut.whole = std::clamp(2.0 * block.sum([](int) { return 1.0; }) - 1.0, 0.0, 1.0);
@@ -118,8 +116,8 @@ void cut_at_walls(const Walls& walls, const Suspension& cells, Stencils<Real>& s
         for (int n = cells.first[cell]; n < cells.first[cell + 1]; ++n) {
             if (!is_cut(walls, stencils, n)) continue;
             list.push_back(cut_stencil(walls, stencils, cells.position(n), n));
-            std::fill_n(&stencils.wx[width * n], width, Real{0});
-            std::fill_n(&stencils.sx[width * n], width, Real{0});
+            std::fill_n(&stencils.wx[stencils.width * n], stencils.width, Real{0});
+            std::fill_n(&stencils.sx[stencils.width * n], stencils.width, Real{0});
         }
     }
 }

@@ -56,4 +56,12 @@ bool lay_patch(const Outline& outline, double reach, double limit, Patch& patch,
     return true;
 }
 
+TT_CLONES void sum_along_y(Patch& patch) {
+    for (int r = 1; r < patch.height; ++r) {
+        const double* below = patch.row(r - 1);
+        double* here = patch.row(r);
+        for (int c = 0; c < patch.width; ++c) here[c] += below[c];
+    }
+}
+
 }  // namespace tt

@@ -52,4 +52,8 @@ inline double quantised(double fraction) {
 bool lay_patch(const Outline& outline, double reach, double limit, Patch& patch,
                LocalOutline& local);
 
+/// Adds to each value those of the rows below it: what changes across an outline becomes what is
+/// inside.
+void sum_along_y(Patch& patch);
+
 }  // namespace tt

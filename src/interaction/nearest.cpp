@@ -29,13 +29,14 @@ TT_INLINE double distance2_to(double px, double py, double x0, double y0, double
     return dx * dx + dy * dy;
 }
 
-/// The nodes of `window` segments from `first` on, past the end of the outline from its start.
+/// The nodes of `segments_at_once` segments from `first` on, past the end of the outline from its
+/// start.
 struct WindowNodes {
-    double x[window + 1], y[window + 1];
+    double x[segments_at_once + 1], y[segments_at_once + 1];
 
     WindowNodes(const Outline& outline, int first) {
         const int size = outline.size();
-        for (int k = 0, node = first; k <= window; ++k, ++node) {
+        for (int k = 0, node = first; k <= segments_at_once; ++k, ++node) {
             if (node >= size) node -= size;
             x[k] = outline.x[node];
             y[k] = outline.y[node];
@@ -47,7 +48,7 @@ struct WindowNodes {
 TT_CLONES void measure_window(const WindowNodes& nodes, Vec2 point, double segments_count,
                               double* distance2, double* along) {
 #pragma omp simd
-    for (int k = 0; k < window; ++k)
+    for (int k = 0; k < segments_at_once; ++k)
         distance2[k] = distance2_to(point.x, point.y, nodes.x[k], nodes.y[k], nodes.x[k + 1],
                                     nodes.y[k + 1], segments_count, along[k]);
 }
@@ -70,7 +71,8 @@ TT_CLONES void lower_bounds(const SegmentBoxes& boxes, Vec2 point, double slack,
 
 /// First segment of the window with segment `at` in its middle.
 int window_around(const NearestPoint& at, int size) {
-    const int first = at.segment - (at.along < 0.5 ? window / 2 : window / 2 - 1);
+    const int first =
+        at.segment - (at.along < 0.5 ? segments_at_once / 2 : segments_at_once / 2 - 1);
     return first < 0 ? first + size : first;
 }
 
@@ -78,13 +80,13 @@ int window_around(const NearestPoint& at, int size) {
 double nearest_outside(const Outline& outline, Vec2 point, Nearest nearest, int box,
                        int window_first) {
     const int size = outline.size();
-    const int first = box * window;
-    double distance2[window], along[window];
+    const int first = box * segments_at_once;
+    double distance2[segments_at_once], along[segments_at_once];
     measure_window({outline, first}, point, factor_of(nearest), distance2, along);
     double smallest = HUGE_VAL;
-    for (int k = 0; k < window; ++k) {
+    for (int k = 0; k < segments_at_once; ++k) {
         const int offset = wrapped(first + k - window_first, size);
-        if (offset >= window) smallest = std::min(smallest, distance2[k]);
+        if (offset >= segments_at_once) smallest = std::min(smallest, distance2[k]);
     }
     return std::sqrt(smallest);
 }
@@ -106,7 +108,7 @@ TT_CLONES void nearest_in_windows(const double* x, const double* y, Nearest near
         batch.along[p] = 0.0;
         segment[p] = 0.0;
     }
-    for (int k = 0; k < window; ++k) {
+    for (int k = 0; k < segments_at_once; ++k) {
 #pragma omp simd
         for (int p = 0; p < count; ++p) {
             const std::int32_t next = node[p] + 1 == batch.end[p] ? batch.begin[p] : node[p] + 1;
@@ -129,10 +131,10 @@ TT_CLONES void nearest_in_windows(const double* x, const double* y, Nearest near
 }
 
 NearestPoint nearest_in_window(const Outline& outline, Vec2 point, int first, Nearest nearest) {
-    double distance2[window], along[window];
+    double distance2[segments_at_once], along[segments_at_once];
     measure_window({outline, first}, point, factor_of(nearest), distance2, along);
     NearestPoint best{distance2[0], first, along[0]};
-    for (int k = 1; k < window; ++k) {
+    for (int k = 1; k < segments_at_once; ++k) {
         const NearestPoint found{distance2[k], wrapped(first + k, outline.size()), along[k]};
         if (before(found, best)) best = found;
     }
@@ -141,13 +143,13 @@ NearestPoint nearest_in_window(const Outline& outline, Vec2 point, int first, Ne
 
 void set_boxes(const Outline& outline, SegmentBoxes& boxes) {
     const int size = outline.size();
-    const std::size_t count = (size + window - 1) / window;
+    const std::size_t count = (size + segments_at_once - 1) / segments_at_once;
     for (auto* side : {&boxes.low_x, &boxes.high_x, &boxes.low_y, &boxes.high_y})
         side->resize(count);
     for (std::size_t b = 0; b < count; ++b) {
-        const int begin = static_cast<int>(b) * window;
+        const int begin = static_cast<int>(b) * segments_at_once;
         Vec2 low = outline[begin], high = low;
-        for (int k = begin + 1; k <= std::min(begin + window, size); ++k) {
+        for (int k = begin + 1; k <= std::min(begin + segments_at_once, size); ++k) {
             const Vec2 p = outline[k < size ? k : 0];
             low = {std::min(low.x, p.x), std::min(low.y, p.y)};
             high = {std::max(high.x, p.x), std::max(high.y, p.y)};
@@ -166,11 +168,11 @@ SearchResult search_nearest(const Outline& outline, const SegmentBoxes& boxes, V
     lower_bounds(boxes, point - drift, slack, lower.data());
     const int closest =
         static_cast<int>(std::min_element(lower.begin(), lower.begin() + count) - lower.begin());
-    NearestPoint best = nearest_in_window(outline, point, closest * window, nearest);
+    NearestPoint best = nearest_in_window(outline, point, closest * segments_at_once, nearest);
     double distance = std::sqrt(best.distance2);
     for (int b = 0; b < count; ++b) {
         if (b == closest || lower[b] > distance) continue;
-        const NearestPoint found = nearest_in_window(outline, point, b * window, nearest);
+        const NearestPoint found = nearest_in_window(outline, point, b * segments_at_once, nearest);
         if (!before(found, best)) continue;
         best = found;
         distance = std::sqrt(best.distance2);

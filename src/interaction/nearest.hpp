@@ -23,10 +23,10 @@ struct NearestPoint {
 };
 
 /// Segments examined together.
-inline constexpr int window = 8;
+inline constexpr int segments_at_once = 8;
 
-/// Nearest point of `window` segments in a row, starting with `first` (0 … size − 1), past the end
-/// of the outline continuing at its start.
+/// Nearest point of `segments_at_once` segments in a row, starting with `first` (0 … size − 1),
+/// past the end of the outline continuing at its start.
 NearestPoint nearest_in_window(const Outline& outline, Vec2 point, int first, Nearest nearest);
 
 /// The same for several points at once, each with a window of an outline of its own: side by side
@@ -42,7 +42,8 @@ struct WindowBatch {
 void nearest_in_windows(const double* x, const double* y, Nearest nearest, int count,
                         WindowBatch& batch);
 
-/// Bounding boxes of each `window` segments of an outline: what lets a search pass over most of it.
+/// Bounding boxes of each `segments_at_once` segments of an outline: what lets a search pass over
+/// most of it.
 struct SegmentBoxes {
     std::vector<double> low_x, high_x, low_y, high_y;
     int count() const { return static_cast<int>(low_x.size()); }

@@ -41,7 +41,7 @@ std::vector<Overlap> find_overlaps(const Lattice& lattice, const Suspension& cel
                     continue;
                 if (!inside(other, p)) continue;
                 double depth2 = HUGE_VAL;
-                for (int first = 0; first < other.size(); first += window)
+                for (int first = 0; first < other.size(); first += segments_at_once)
                     depth2 = std::fmin(
                         depth2, nearest_in_window(other, p, first, Nearest::segment).distance2);
                 overlaps.push_back({k, c, neighbour.cell, std::sqrt(depth2)});

@@ -130,7 +130,7 @@ void list_all_pairs(const ContactModel& model, const Lattice& lattice, const Sus
     const auto [begin, end] = own_cells(cells);
     for (int c = begin; c < end; ++c) {
         contact.cells[c].moved = 0.0;
-        contact.cells[c].lower.resize(most_nodes / window + 1);
+        contact.cells[c].lower.resize(most_nodes / segments_at_once + 1);
         contact.bounds[c] = bounds_of(outline(cells, c), lattice);
         set_boxes(outline(cells, c), contact.cells[c].boxes);
     }

@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/undefined.hpp"
 #include "io/frames_format.hpp"
 
 namespace tt {
@@ -135,7 +135,7 @@ Frame FramesReader::frame(int k) const {
     Frame frame = stored(k);
     const auto all = 2 * static_cast<std::size_t>(header_.first.back());
     for (auto* per_node : {&frame.nodes, &frame.node_force, &frame.node_velocity})
-        per_node->resize(all, std::numeric_limits<double>::quiet_NaN());
+        per_node->resize(all, undefined);
     return frame;
 }
 

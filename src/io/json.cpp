@@ -1,10 +1,14 @@
 #include "io/json.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 
 namespace tt {
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 void write_json(const std::filesystem::path& path, const Json& value, Durability durability) {
     // Text of the user (a name, a command line) may hold bytes that are not UTF-8: replaced, never

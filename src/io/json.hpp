@@ -13,6 +13,9 @@ namespace tt {
 /// Keys keep the order in which they were set, so that a person can read the file.
 using Json = nlohmann::ordered_json;
 
+/// null where `value` is not finite.
+Json number(double value);
+
 /// Replaces the file in one stroke. Numbers that are not finite become null.
 void write_json(const std::filesystem::path& path, const Json& value, Durability durability);
 

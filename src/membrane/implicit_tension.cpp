@@ -13,7 +13,7 @@ namespace {
 constexpr int sweeps = 8;
 
 /// One cell's nodes and segments, 0 … count − 1, and in all but the first line also −1 and count.
-struct Ring {
+struct Chain {
     int count;
     const double *x, *y, *stiffness;
     double *ux, *uy;
@@ -29,7 +29,7 @@ struct Ring {
     }
 };
 
-Ring lay_out(Suspension& cells, int cell, std::vector<double>& room) {
+Chain chain_of(Suspension& cells, int cell, std::vector<double>& room) {
     constexpr int arrays = 7, halo = 8;
     const int first = cells.first[cell], count = cells.node_count(cell);
     const int pitch = count + 2 * halo;
@@ -51,7 +51,7 @@ Ring lay_out(Suspension& cells, int cell, std::vector<double>& room) {
             next()};
 }
 
-TT_INLINE void measure_segment(const Ring& m, double mobility, int k, int next) {
+TT_INLINE void measure_segment(const Chain& m, double mobility, int k, int next) {
     const double dx = m.x[next] - m.x[k], dy = m.y[next] - m.y[k];
     const double inverse = 1.0 / std::sqrt(dx * dx + dy * dy);
     const double tx = dx * inverse, ty = dy * inverse;
@@ -63,31 +63,31 @@ TT_INLINE void measure_segment(const Ring& m, double mobility, int k, int next) 
     m.answer[k] = m.compliance[k] * m.elongation[k];
 }
 
-TT_CLONES void measure(const Ring& ring, double mobility) {
-    const Ring m = ring;
+TT_CLONES void measure(const Chain& ring, double mobility) {
+    const Chain m = ring;
 #pragma omp simd
     for (int k = 0; k < m.count - 1; ++k) measure_segment(m, mobility, k, k + 1);
     measure_segment(m, mobility, m.count - 1, 0);
 }
 
-TT_CLONES void measure_bends(const Ring& ring) {
-    const Ring m = ring;
+TT_CLONES void measure_bends(const Chain& ring) {
+    const Chain m = ring;
 #pragma omp simd
     for (int k = -1; k < m.count; ++k)
         m.bend[k] = m.tangent_x[k] * m.tangent_x[k + 1] + m.tangent_y[k] * m.tangent_y[k + 1];
 }
 
 /// A segment's elongation is what it was, less twice its own answer, plus those of its neighbours.
-TT_CLONES void sweep(const Ring& ring) {
-    const Ring m = ring;
+TT_CLONES void sweep(const Chain& ring) {
+    const Chain m = ring;
 #pragma omp simd
     for (int k = 0; k < m.count; ++k)
         m.answer[k] = m.compliance[k] *
                       (m.elongation[k] + (m.bend[k] * m.old[k + 1] + m.bend[k - 1] * m.old[k - 1]));
 }
 
-TT_CLONES void move_ends(const Ring& ring) {
-    const Ring m = ring;
+TT_CLONES void move_ends(const Chain& ring) {
+    const Chain m = ring;
 #pragma omp simd
     for (int k = 0; k < m.count; ++k) {
         m.ux[k] += m.answer[k] * m.tangent_x[k] - m.answer[k - 1] * m.tangent_x[k - 1];
@@ -99,7 +99,7 @@ TT_CLONES void move_ends(const Ring& ring) {
 
 void answer_with_tension(double mobility, Suspension& cells, int cell) {
     thread_local std::vector<double> room;
-    Ring ring = lay_out(cells, cell, room);
+    Chain ring = chain_of(cells, cell, room);
     measure(ring, mobility);
     for (double* array : {ring.tangent_x, ring.tangent_y, ring.answer}) ring.close(array);
     measure_bends(ring);

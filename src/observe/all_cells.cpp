@@ -1,6 +1,6 @@
 #include "observe/all_cells.hpp"
 
-#include <limits>
+#include "base/undefined.hpp"
 
 namespace tt {
 
@@ -25,8 +25,7 @@ AllCells all_cells(const State& state) {
 std::vector<double> per_node_of_all(const AllCells& all, const Suspension& cells,
                                     const std::vector<double>& x, const std::vector<double>& y,
                                     double unit) {
-    std::vector<double> pairs(2 * static_cast<std::size_t>(all.first.back()),
-                              std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> pairs(2 * static_cast<std::size_t>(all.first.back()), undefined);
     for (int c = 0; c < cells.cell_count(); ++c) {
         auto to = pairs.begin() + 2 * all.first[static_cast<std::size_t>(cells.id[c])];
         for (int n = cells.first[c]; n < cells.first[c + 1]; ++n) {

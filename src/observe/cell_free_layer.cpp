@@ -5,11 +5,12 @@
 #include <limits>
 #include <vector>
 
+#include "base/undefined.hpp"
+
 namespace tt {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// Lowest and highest membrane on the line through a column of sites.
 struct Envelope {

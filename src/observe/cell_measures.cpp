@@ -6,6 +6,7 @@
 #include <numbers>
 #include <variant>
 
+#include "base/undefined.hpp"
 #include "base/parallel.hpp"
 #include "observe/membrane_stress.hpp"
 
@@ -40,7 +41,7 @@ void measure_place(const Model& model, const State& state, int cell, const AreaM
     m.y = scales.to_si<Length>(centroid.y + model.origin.y);
     m.velocity = scales.to_si<Velocity>(velocity.x);
     m.phase_rate = scales.to_si<Rate>(turning_rate(shape, ux, uy, centroid, velocity));
-    m.wall_distance.si = std::numeric_limits<double>::quiet_NaN();
+    m.wall_distance.si = undefined;
     if (const Walls* walls = model.boundaries.walls.get()) {
         double nearest = HUGE_VAL;
         for (int k = 0; k < shape.size(); ++k)
@@ -66,8 +67,8 @@ void measure_shape(const Scales& scales, const Suspension& cells, int cell,
     m.taylor_inertia = taylor_deformation(ellipse.major, ellipse.minor);
     m.taylor_extent = taylor_deformation(radii.largest, radii.smallest);
     constexpr double rounding = 1e-9;  // of a circle, which has no long axis
-    m.inclination_deg = m.taylor_inertia > rounding ? ellipse.inclination * 180.0 / std::numbers::pi
-                                                    : std::numeric_limits<double>::quiet_NaN();
+    m.inclination_deg =
+        m.taylor_inertia > rounding ? ellipse.inclination * 180.0 / std::numbers::pi : undefined;
 }
 
 void measure_stretch(const Suspension& cells, int cell, CellMeasures& m) {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
+#include "base/undefined.hpp"
 #include "base/words.hpp"
 #include "observe/failure.hpp"
 
@@ -15,7 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Verdict = RunCheck::Verdict;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<const char*, 3> verdict_names{"ok", "warning", "failed"};
 
 }  // namespace
@@ -29,7 +28,7 @@ std::vector<RunCheck> checks_from(const Json& list) {
         const auto verdict = std::find(verdict_names.begin(), verdict_names.end(), text("verdict"));
         if (verdict == verdict_names.end()) continue;
         checks.push_back({text("name"), static_cast<Verdict>(verdict - verdict_names.begin()),
-                          number_of(json, "value", none), number_of(json, "limit", none),
+                          number_of(json, "value", undefined), number_of(json, "limit", undefined),
                           text("unit"), text("sentence")});
     }
     return checks;
@@ -43,12 +42,12 @@ std::vector<RunCheck> read_checks(const fs::path& results) {
     const Table series = read_csv(results / "series.csv");
     CheckInput input;
     input.finished = false;
-    const double dx = number_of(read_object(results / "status.json"), "dx", none);
+    const double dx = number_of(read_object(results / "status.json"), "dx", undefined);
     if (std::isfinite(dx)) input.dx = Length{dx};
     if (series.rows() == 0) return {};
     std::vector<RunCheck> checks = judge(series, input);
     if (has_failed(results))
-        checks.insert(checks.begin(), {"stability", Verdict::failed, none, none, "",
+        checks.insert(checks.begin(), {"stability", Verdict::failed, undefined, undefined, "",
                                        "The run blew up; failure/why.txt says why."});
     return checks;
 }

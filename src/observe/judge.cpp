@@ -11,13 +11,13 @@
 
 #include <fmt/format.h>
 
+#include "base/undefined.hpp"
 #include "base/units.hpp"
 
 namespace tt {
 namespace {
 
 using Verdict = RunCheck::Verdict;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// The numbers of a column that are numbers; none where there is no such column.
 std::vector<double> known(const Table& series, std::string_view name) {
@@ -29,11 +29,11 @@ std::vector<double> known(const Table& series, std::string_view name) {
 }
 
 double largest(std::span<const double> values) {
-    return values.empty() ? none : *std::max_element(values.begin(), values.end());
+    return values.empty() ? undefined : *std::max_element(values.begin(), values.end());
 }
 
 double smallest(std::span<const double> values) {
-    return values.empty() ? none : *std::min_element(values.begin(), values.end());
+    return values.empty() ? undefined : *std::min_element(values.begin(), values.end());
 }
 
 template <class Bad>
@@ -74,7 +74,7 @@ public:
         const std::vector<double> gaps = known(series_, "smallest_gap");
         const double worst = smallest(gaps);
         if (gaps.empty()) {
-            add({"gap", Verdict::ok, none, dx, "m",
+            add({"gap", Verdict::ok, undefined, dx, "m",
                  "No two cells were seen within the reach of contact forces."});
             return;
         }
@@ -200,7 +200,7 @@ private:
 
     void add_window(double times, const char* slowest, double milliseconds) {
         if (!slowest) {
-            add({"window", Verdict::ok, none, correlation_times_in_window, "",
+            add({"window", Verdict::ok, undefined, correlation_times_in_window, "",
                  fmt::format(
                      "Nothing changed by more than 1 % in the averaging window of {:.3g} ms.",
                      milliseconds)});

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <variant>
 
+#include "base/undefined.hpp"
 #include "membrane/outline.hpp"
 
 namespace tt {
@@ -58,7 +58,7 @@ MembraneStress stress_on(const Outline& shape, const Model& model, const Sites<R
         const double rate = principal_shear_rate(flow.at_site(i, j));
         principal = std::max(principal, local_viscosity(sites.relaxation, i, j) * rate);
     }
-    if (traction < 0.0) traction = std::numeric_limits<double>::quiet_NaN();
+    if (traction < 0.0) traction = undefined;
     return {traction, principal};
 }
 

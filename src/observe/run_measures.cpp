@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <variant>
 
 #include "base/isa.hpp"
 #include "base/lesser.hpp"
+#include "base/undefined.hpp"
 #include "observe/cell_free_layer.hpp"
 #include "observe/flow_gradient.hpp"
 #include "observe/profiles.hpp"
 
 namespace tt {
 namespace {
-
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 bool walls_drive(const Model& model) {
     return model.lattice.walls && model.boundaries.bottom_speed != model.boundaries.top_speed;
@@ -191,7 +189,7 @@ void measure_layers(const Model& model, const State& state, RunMeasures& m) {
         mean = model.scales.to_si<Length>(layer.mean());
     };
     const Lattice& lattice = model.lattice;
-    std::vector<double> hematocrit;  // left empty, hence undefined layers, where there are no walls
+    std::vector<double> hematocrit;  // left empty, hence no layers, where there are no walls
     const bool straight = !model.boundaries.walls;
     if (lattice.walls && straight) hematocrit = hematocrit_profile(lattice, state.cells);
     const Lattice between{lattice.nx, lattice.ny, lattice.walls && straight};

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/undefined.hpp"
 #include "membrane/outline.hpp"
 
 namespace tt {
@@ -80,7 +80,6 @@ double covered(const std::vector<LineCrossing>& crossings, double low, double hi
 
 SectionCells cells_on_section(const SectionLine& line, const Lattice& lattice,
                               const Suspension& cells) {
-    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     SectionCells seen;
     seen.share_of_row.assign(line.rows.size(), 0.0);
     double low = HUGE_VAL, high = -HUGE_VAL;
@@ -98,8 +97,8 @@ SectionCells cells_on_section(const SectionLine& line, const Lattice& lattice,
             high = std::max(high, along);
         }
     }
-    seen.from_begin = low <= high ? low - line.begin : nothing;
-    seen.from_end = low <= high ? line.end - high : nothing;
+    seen.from_begin = low <= high ? low - line.begin : undefined;
+    seen.from_end = low <= high ? line.end - high : undefined;
     return seen;
 }
 

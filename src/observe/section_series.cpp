@@ -2,17 +2,15 @@
 
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include <fmt/format.h>
 
+#include "base/undefined.hpp"
 #include "base/units.hpp"
 #include "observe/section_measures.hpp"
 
 namespace tt {
 namespace {
-
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 std::string titles_of(const std::string& name) {
     const std::string flow = si_unit(KinematicViscosity::dimension);

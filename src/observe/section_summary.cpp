@@ -3,18 +3,14 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <limits>
 
 #include <fmt/format.h>
 
+#include "base/undefined.hpp"
 #include "observe/partition.hpp"
 
 namespace tt {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 /// With the same value as mean, so that tables of means show it.
 Json told(double value, double error, const std::string& unit, const std::string& reason) {
@@ -48,13 +44,13 @@ public:
                 difference(name, "cell_area"), difference(name, "volume")};
     }
     double at_end(const std::string& column) const {
-        return table_.rows() > 0 ? table_.column(column).back() : none;
+        return table_.rows() > 0 ? table_.column(column).back() : undefined;
     }
 
 private:
     double difference(const std::string& name, const char* quantity) const {
         const auto& column = table_.column(fmt::format("{}.{}", name, quantity));
-        return any_ ? column[last_] - column[first_] : none;
+        return any_ ? column[last_] - column[first_] : undefined;
     }
 
     const Table& table_;
@@ -80,7 +76,7 @@ void add_section(const std::string& name, const Table& table, const Sections& se
 double width_of(const Json& places, const std::string& name) {
     for (const Json& section : places["sections"])
         if (section["name"] == name) return section["width"].get<double>();
-    return none;
+    return undefined;
 }
 
 void add_fork(const Json& fork, const Json& places, const Sections& sections, Json& summary) {
@@ -100,20 +96,20 @@ void add_fork(const Json& fork, const Json& places, const Sections& sections, Js
         const std::string start =
             fmt::format("{}.{}.", fork["name"].get<std::string>(), daughters[n]);
         const double flow = out[n].volume / volume;
-        const double share = cells > 0.0 ? out[n].cells / cells : none;
+        const double share = cells > 0.0 ? out[n].cells / cells : undefined;
         const double error = std::sqrt(share * (1.0 - share) / cells);
-        summary[start + "flow_fraction"] = told(flow, none, "", "nothing flows");
+        summary[start + "flow_fraction"] = told(flow, undefined, "", "nothing flows");
         Json& of_cells = summary[start + "cell_fraction"] =
             told(share, error, "", "no cell passed the fork in the averaging window");
         of_cells["cells"] = number(out[n].cells);
         of_cells["of"] = number(cells);
         summary[start + "hematocrit_ratio"] =
-            told(in.area > 0.0 ? out[n].hematocrit() / in.hematocrit() : none, none, "",
+            told(in.area > 0.0 ? out[n].hematocrit() / in.hematocrit() : undefined, undefined, "",
                  "no cells passed the section before the fork in the averaging window");
         const PriesLaw law(Length{width_of(places, parent)}, Length{width_of(places, daughters[n])},
                            Length{width_of(places, daughters[1 - n])}, in.hematocrit());
-        summary[start + "pries_cell_fraction"] =
-            told(law.cell_fraction(flow), none, "", "the flow before the fork has no hematocrit");
+        summary[start + "pries_cell_fraction"] = told(law.cell_fraction(flow), undefined, "",
+                                                      "the flow before the fork has no hematocrit");
     }
 }
 
@@ -166,9 +162,10 @@ void summarise_residence(const std::filesystem::path& results, Json& summary) {
         const auto count = static_cast<double>(times.size());
         for (const double t : times) mean += t / count;
         for (const double t : times) squares += (t - mean) * (t - mean);
-        const double error = times.size() > 1 ? std::sqrt(squares / (count - 1.0) / count) : none;
-        Json& entry = summary[places["ports"][n]["name"].get<std::string>() + ".residence"] =
-            told(times.empty() ? none : mean, error, "s", "no cell has left through this port");
+        const double error =
+            times.size() > 1 ? std::sqrt(squares / (count - 1.0) / count) : undefined;
+        Json& entry = summary[places["ports"][n]["name"].get<std::string>() + ".residence"] = told(
+            times.empty() ? undefined : mean, error, "s", "no cell has left through this port");
         entry["samples"] = times.size();
     }
 }

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "base/undefined.hpp"
 #include "io/csv.hpp"
 #include "observe/run_measures.hpp"
 #include "observe/section_summary.hpp"
@@ -43,11 +43,6 @@ constexpr std::array stresses{"shear_number_star_traction", "shear_number_star_p
 /// A membrane that has turned by less has not begun to tread: cells that keep to mid-channel drift
 /// by some thousandths of a turn.
 constexpr double fewest_turns = 0.02;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-/// NaN is not JSON.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 /// Why a quantity may have no value.
 std::string reason_for(std::string_view name, bool rows, bool cells) {
@@ -112,8 +107,9 @@ Json averaged(const std::string& name, const Samples& samples, const std::string
     const WindowStatistics looks = window_statistics(samples.look_means);
     std::vector<double> of_cells;
     for (const auto& cell : samples.cells) of_cells.push_back(window_statistics(cell).mean);
-    const double interval =
-        looks.samples > 1 ? input.window.length() / static_cast<double>(looks.samples - 1) : none;
+    const double interval = looks.samples > 1
+                                ? input.window.length() / static_cast<double>(looks.samples - 1)
+                                : undefined;
     Json json = entry(all.mean, unit, reason_for(name, !samples.all.empty(), cells));
     json["mean"] = number(all.mean);
     json["standard_error"] = number(looks.standard_error);
@@ -180,7 +176,7 @@ Json tank_treading(const Table& cells, const SummaryInput& input) {
 
 Json step_us(const SessionTimes& session) {
     if (session.steps == 0) {
-        return entry(none, "us", "no step was made in the last session");
+        return entry(undefined, "us", "no step was made in the last session");
     }
     const double us = 1e6 / static_cast<double>(session.steps);
     Json json = entry(us * session.wall_seconds, "us");
@@ -250,7 +246,7 @@ Json summarise(const std::filesystem::path& results, const SummaryInput& input) 
         const Table ports = read_csv(results / "ports.csv");
         for (const std::string& name : ports.names)
             if (name.find(".cells_") != std::string::npos)
-                summary[name] = entry(ports.rows() > 0 ? ports.column(name).back() : none, "");
+                summary[name] = entry(ports.rows() > 0 ? ports.column(name).back() : undefined, "");
             else if (name != "time" && name != "step")
                 put(name, ports, ports.column(name));
     }
@@ -262,7 +258,7 @@ Json summarise(const std::filesystem::path& results, const SummaryInput& input) 
         summary);
     summarise_residence(results, summary);
     summary["shear_number"] =
-        entry(input.shear_number.value_or(none), "", reason_for("shear_number", true, any));
+        entry(input.shear_number.value_or(undefined), "", reason_for("shear_number", true, any));
     for (const char* name : stresses) put(name, cells, cells.column(name));
     summary["steps"] = entry(static_cast<double>(input.steps), "");
     summary["threads"] = entry(input.threads, "");

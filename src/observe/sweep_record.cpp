@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/undefined.hpp"
 #include "base/version.hpp"
 #include "base/words.hpp"
 #include "io/file.hpp"
@@ -16,7 +16,6 @@ namespace tt {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array words{"waiting", "stopped", "failed", "done"};
 
 RunEnding ending_named(const std::string& word) {
@@ -85,8 +84,8 @@ std::string table_of(const fs::path& directory, const SweepRecord& sweep) {
             const auto same = [&](const SummaryMean& mean) { return mean.name == column.name; };
             const auto mean = std::find_if(rows[r].begin(), rows[r].end(), same);
             const bool known = mean != rows[r].end();
-            put(number_field(known ? mean->mean : nan));
-            put(number_field(known ? mean->standard_error : nan));
+            put(number_field(known ? mean->mean : undefined));
+            put(number_field(known ? mean->standard_error : undefined));
         }
         text += '\n';
     }
@@ -155,10 +154,11 @@ std::vector<SummaryMean> summary_means(const fs::path& results) {
     for (const auto& [name, entry] : summary.items()) {
         if (!entry.is_object()) continue;
         if (entry.contains("mean"))
-            means.push_back({name, text_of(entry, "unit"), number_of(entry, "mean", nan),
-                             number_of(entry, "standard_error", nan)});
+            means.push_back({name, text_of(entry, "unit"), number_of(entry, "mean", undefined),
+                             number_of(entry, "standard_error", undefined)});
         else if (name == "shear_number")
-            means.push_back({name, text_of(entry, "unit"), number_of(entry, "value", nan), nan});
+            means.push_back(
+                {name, text_of(entry, "unit"), number_of(entry, "value", undefined), undefined});
     }
     return means;
 }

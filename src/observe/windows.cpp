@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
+
+#include "base/undefined.hpp"
 
 namespace tt {
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t batches = 10;
 /// A window of more samples is first averaged over blocks: its lags would take a time of n².
 constexpr std::size_t most_lags = 2000;

@@ -1,6 +1,5 @@
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <span>
 #include <string>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "io/file.hpp"
+#include "base/undefined.hpp"
 #include "io/vtk.hpp"
 #include "membrane/outline.hpp"
 #include "report/export.hpp"
@@ -66,8 +66,7 @@ std::vector<CellColumn> shape_columns(const FramesHeader& header, std::span<cons
         const EquivalentEllipse ellipse = equivalent_ellipse(moments);
         const RadiusRange radii = radius_range(outline, moments.centroid);
         const double length = perimeter(outline);
-        const double extension =
-            rest > 0.0 ? length / rest : std::numeric_limits<double>::quiet_NaN();
+        const double extension = rest > 0.0 ? length / rest : undefined;
         const double values[] = {moments.area,
                                  length,
                                  extension,

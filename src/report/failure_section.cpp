@@ -1,12 +1,12 @@
 #include "report/failure_section.hpp"
 
 #include <cmath>
-#include <limits>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "base/undefined.hpp"
 #include "base/vec2.hpp"
 #include "report/frames.hpp"
 #include "report/html.hpp"
@@ -26,9 +26,7 @@ struct View {
 Vec2 place_of(const Json& failure) {
     const auto number = [&](const char* key) {
         const auto found = failure.find(key);
-        return found != failure.end() && found->is_number()
-                   ? found->get<double>()
-                   : std::numeric_limits<double>::quiet_NaN();
+        return found != failure.end() && found->is_number() ? found->get<double>() : undefined;
     };
     return {number("x"), number("y")};
 }
@@ -37,14 +35,13 @@ Vec2 place_of(const Json& failure) {
 /// failing state some are anywhere, or not numbers: those are nan.
 std::vector<Vec2> sound_nodes(const FramesHeader& header, const Frame& frame, int cell) {
     std::vector<Vec2> nodes;
-    double shift = std::numeric_limits<double>::quiet_NaN();
+    double shift = undefined;
     const double farthest = 1e6 * header.length;
     for (int k = header.first[cell]; k < header.first[cell + 1]; ++k) {
         const Vec2 p{frame.nodes[2 * k], frame.nodes[2 * k + 1]};
         const bool sound = std::abs(p.x) < farthest && std::abs(p.y) < 2.0 * header.width;
         if (sound && !std::isfinite(shift)) shift = header.length * std::floor(p.x / header.length);
-        const double nan = std::numeric_limits<double>::quiet_NaN();
-        nodes.push_back(sound ? Vec2{p.x - shift, p.y} : Vec2{nan, nan});
+        nodes.push_back(sound ? Vec2{p.x - shift, p.y} : Vec2{undefined, undefined});
     }
     return nodes;
 }

@@ -8,12 +8,6 @@ namespace tt {
 namespace {
 
 namespace fs = std::filesystem;
-using Column = std::vector<double>;
-
-Column scaled(Column values, double factor) {
-    for (double& value : values) value *= factor;
-    return values;
-}
 
 /// Width between the walls: rows of sites stand half a spacing away from them.
 double wall_distance(const Column& y) { return y.size() < 2 ? 0.0 : y.back() + y.front(); }
@@ -68,12 +62,6 @@ LineFigure across(std::span<const Results> runs, const std::string& name,
     return figure;
 }
 
-void finish(const LineFigure& figure, const fs::path& out, std::vector<Figure>& drawn) {
-    if (!has_points(figure)) return;
-    draw(figure, out);
-    drawn.push_back({figure.name, figure.caption});
-}
-
 /// Dashes mean plasma alone up to so many runs; of more they tell the runs apart.
 constexpr std::size_t most_with_plasma = 4;
 
@@ -106,7 +94,7 @@ void draw_velocity(std::span<const Results> runs, const fs::path& out, std::vect
         figure.commands.push_back("set key outside top center horizontal samplen 1.2");
     else
         key_below(figure, runs.size());
-    finish(figure, out, drawn);
+    draw_if_any(figure, out, drawn);
 }
 
 /// Shades both cell-free layers of a single run and writes their width beside them.
@@ -153,7 +141,7 @@ void draw_hematocrit(std::span<const Results> runs, const fs::path& out,
     } else {
         key_below(figure, runs.size());
     }
-    finish(figure, out, drawn);
+    draw_if_any(figure, out, drawn);
 }
 
 }  // namespace

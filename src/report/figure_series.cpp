@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -8,12 +7,12 @@
 
 #include "report/figures.hpp"
 
+#include "base/undefined.hpp"
+
 namespace tt {
 namespace {
 
 namespace fs = std::filesystem;
-using Column = std::vector<double>;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The runs with the marks that all their figures over time share.
 struct TimePlots {
@@ -28,11 +27,6 @@ double longest_time(std::span<const Results> runs) {
     for (const Results& run : runs)
         for (const double t : values(run.series, "time")) longest = std::max(longest, t);
     return longest;
-}
-
-Column scaled(Column values, double factor) {
-    for (double& value : values) value *= factor;
-    return values;
 }
 
 Column times(const Results& run, const TimeUnit& unit) {
@@ -80,16 +74,10 @@ std::pair<Column, Column> cell_curves(const Results& run, const std::string& col
     for (auto& [number, curve] : by_cell) {
         joined.first.insert(joined.first.end(), curve.first.begin(), curve.first.end());
         joined.second.insert(joined.second.end(), curve.second.begin(), curve.second.end());
-        joined.first.push_back(nan);
-        joined.second.push_back(nan);
+        joined.first.push_back(undefined);
+        joined.second.push_back(undefined);
     }
     return joined;
-}
-
-void finish(const LineFigure& figure, const fs::path& out, std::vector<Figure>& drawn) {
-    if (!has_points(figure)) return;
-    draw(figure, out);
-    drawn.push_back({figure.name, figure.caption});
 }
 
 /// Adds one column of the series of every run; the key names the runs where there are several.
@@ -171,7 +159,7 @@ LineFigure inclination_figure(const TimePlots& plots) {
         auto [time, value] = cell_curves(plots.runs[0], "inclination_deg", plots.unit.per_second);
         // A long axis that turns past 90° reappears at −90°: break the line there.
         for (std::size_t k = value.size(); k-- > 1;)
-            if (std::abs(value[k] - value[k - 1]) > 90.0) value[k] = nan;
+            if (std::abs(value[k] - value[k - 1]) > 90.0) value[k] = undefined;
         figure.curves.push_back(
             {"each cell", "using 1:2 with lines lc rgb \"#8c8c8c\" lw 0.5", {time, value}});
     }
@@ -195,7 +183,7 @@ LineFigure area_figure(const TimePlots& plots) {
     add_column(figure, plots, "area_error_max", "", 1.0, 1);
     for (Curve& curve : figure.curves)
         for (double& value : curve.columns[1])  // round-off before the first step is no error
-            value = std::abs(value) < 1e-12 ? nan : std::abs(value);
+            value = std::abs(value) < 1e-12 ? undefined : std::abs(value);
     figure.commands.insert(figure.commands.end(), {"set logscale y", "set format y \"10^{%L}\""});
     return figure;
 }
@@ -228,7 +216,7 @@ void draw_series(std::span<const Results> runs, const fs::path& out, std::vector
     const TimePlots plots{runs, run_labels(runs), time_unit(longest_time(runs))};
     for (auto make : {stretch_figure, deformation_figure, inclination_figure, viscosity_figure,
                       layer_figure, area_figure})
-        finish(make(plots), out, drawn);
+        draw_if_any(make(plots), out, drawn);
 }
 
 }  // namespace tt

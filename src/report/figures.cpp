@@ -19,6 +19,11 @@ std::vector<std::string> run_labels(std::span<const Results> runs) {
     return labels;
 }
 
+Column scaled(Column values, double factor) {
+    for (double& value : values) value *= factor;
+    return values;
+}
+
 void key_below(LineFigure& figure, std::size_t runs) {
     figure.key_rows = static_cast<int>(runs + 1) / 2;
     figure.commands.push_back("set key outside bottom center horizontal maxcols 2 samplen 1.8");

@@ -31,6 +31,9 @@ inline constexpr FigureName all_figures[] = {
     {"hematocrit_profile", "hematocrit profile"},
 };
 
+using Column = std::vector<double>;
+Column scaled(Column values, double factor);
+
 /// The parts of draw_figures. Each appends what it could draw.
 void draw_flow(const Results& run, const std::filesystem::path& out, std::vector<Figure>& drawn);
 void draw_forks(const Results& run, const std::filesystem::path& out, std::vector<Figure>& drawn);

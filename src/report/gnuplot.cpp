@@ -93,6 +93,13 @@ void write_text(const fs::path& path, std::string_view text) {
 
 void write_style(const fs::path& out) { write_text(out / "style.gp", assets::figure_style); }
 
+void draw_if_any(const LineFigure& figure, const std::filesystem::path& out,
+                 std::vector<Figure>& drawn) {
+    if (!has_points(figure)) return;
+    draw(figure, out);
+    drawn.push_back({figure.name, figure.caption});
+}
+
 void run_gnuplot(const fs::path& out, const std::string& name, const std::string& body, int width,
                  int height) {
     write_text(out / (name + ".gp"),

@@ -46,6 +46,10 @@ std::string gnuplot_string(std::string_view text);
 /// a row of numbers are left out. Precondition: has_points(figure).
 void draw(const LineFigure& figure, const std::filesystem::path& out);
 
+/// The same, and appends it to `drawn`; nothing for a figure without points.
+void draw_if_any(const LineFigure& figure, const std::filesystem::path& out,
+                 std::vector<Figure>& drawn);
+
 /// Writes name.gp, which draws `body` (the plot commands) once as PNG and once as SVG of width ×
 /// height pixels at column width (340 pixels = 86 mm; PNG at 3 times that, 300 dpi), and runs it.
 /// The body may use nothing outside `out`.

@@ -3,40 +3,39 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
 
+#include "base/undefined.hpp"
 #include "report/html.hpp"
 #include "report/words.hpp"
 
 namespace tt {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// Of the circle that has the area of the first cell at the start.
 double equivalent_radius(const Results& run) {
     const std::vector<double>& areas = values(run.cells, "area");
-    return areas.empty() ? nan : std::sqrt(areas.front() / std::numbers::pi);
+    return areas.empty() ? undefined : std::sqrt(areas.front() / std::numbers::pi);
 }
 
 double summary_value(const Results& run, const char* name) {
     const auto found = run.summary.find(name);
-    return found == run.summary.end() || !found->is_object() ? nan
-                                                             : number_of(*found, "value", nan);
+    return found == run.summary.end() || !found->is_object()
+               ? undefined
+               : number_of(*found, "value", undefined);
 }
 
 /// What `auto` chose for a key, of PROVENANCE.json.
 double chosen(const Results& run, const std::string& key) {
     const auto settings = run.provenance.find("settings");
-    if (settings == run.provenance.end() || !settings->is_array()) return nan;
+    if (settings == run.provenance.end() || !settings->is_array()) return undefined;
     const std::string start = "chosen." + key + " = ";
     for (const Json& line : *settings)
         if (line.is_string() && line.get<std::string>().starts_with(start))
             return std::strtod(line.get<std::string>().c_str() + start.size(), nullptr);
-    return nan;
+    return undefined;
 }
 
 double shear_rate(const Results& run, double radius) {
@@ -54,7 +53,7 @@ struct Row {
     double KeyNumbers::*value;
 };
 
-constexpr Row rows[] = {
+constexpr Row key_rows[] = {
     {"shear number G", "", "μ k a / E_s (Eq. 19), of the flow as it was asked for",
      &KeyNumbers::shear_number},
     {"Reynolds number of a cell", "", "ρ k a² / μ, of the flow as it was",
@@ -84,7 +83,7 @@ KeyNumbers key_numbers(const Results& run) {
     n.cell_reynolds = density * n.shear_rate * radius * radius / viscosity;
     n.cell_reynolds_run = chosen(run, "density_scale") * n.cell_reynolds;
     n.wall_shear_stress = window_mean(run, "wall_shear_stress");
-    n.mean_velocity = shear ? nan : window_mean(run, "mean_velocity");
+    n.mean_velocity = shear ? undefined : window_mean(run, "mean_velocity");
     n.channel_reynolds =
         density * std::abs(n.mean_velocity) * setting_si(run.setting("domain.width")) / viscosity;
     n.hematocrit = window_mean(run, "hematocrit_tube");
@@ -102,7 +101,7 @@ std::string key_numbers_section(std::span<const Results> runs,
     columns.push_back({"meaning", "meaning"});
     HtmlTable table("Means over the window of the summary, or the later half of the run.", columns);
     bool any = false;
-    for (const Row& row : rows) {
+    for (const Row& row : key_rows) {
         const DisplayUnit unit = display_unit(row.unit);
         const auto told = [&](const KeyNumbers& n) { return std::isfinite(n.*row.value); };
         if (std::none_of(all.begin(), all.end(), told)) continue;

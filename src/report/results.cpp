@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/undefined.hpp"
 #include "base/units.hpp"
 #include "io/file.hpp"
 #include "io/table_sums.hpp"
@@ -17,7 +17,6 @@ namespace tt {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A table that is damaged is told and left out.
 Table read_table(const fs::path& directory, const char* name, std::vector<std::string>& faults) {
@@ -89,10 +88,10 @@ std::map<std::string, std::string> read_settings(const fs::path& path) {
 void gather(const Json& json, Results& results) {
     for (const auto& [name, value] : json.items()) {
         if (!value.is_object() || !value.contains("mean")) continue;
-        results.quantities.push_back({name, text_of(value, "unit"), number_of(value, "mean", nan),
-                                      number_of(value, "standard_error", nan),
-                                      number_of(value, "sd_time", nan),
-                                      number_of(value, "sd_cells", nan), text_of(value, "reason")});
+        results.quantities.push_back(
+            {name, text_of(value, "unit"), number_of(value, "mean", undefined),
+             number_of(value, "standard_error", undefined), number_of(value, "sd_time", undefined),
+             number_of(value, "sd_cells", undefined), text_of(value, "reason")});
         const auto window = value.find("window");
         if (window == value.end() || !window->is_array() || window->size() != 2) continue;
         if (!(*window)[0].is_number() || !(*window)[1].is_number()) continue;
@@ -150,15 +149,15 @@ Results read_results(const fs::path& directory) {
 }
 
 const std::vector<double>& values(const Table& table, std::string_view name) {
-    static const std::vector<double> none;
-    return table.has(name) ? table.column(name) : none;
+    static const std::vector<double> nothing;
+    return table.has(name) ? table.column(name) : nothing;
 }
 
 double setting_si(const std::string& text) {
     try {
         return parse_measure(text).si;
     } catch (const UnitError&) {
-        return nan;
+        return undefined;
     }
 }
 
@@ -175,7 +174,7 @@ std::vector<double> settings_si(const std::string& list) {
 double window_mean(const Results& results, const std::string& column) {
     const std::vector<double>& time = values(results.series, "time");
     const std::vector<double>& series = values(results.series, column);
-    if (time.empty() || series.size() != time.size()) return nan;
+    if (time.empty() || series.size() != time.size()) return undefined;
     const bool stated = results.window_end > results.window_begin;
     const double from = stated ? results.window_begin : 0.5 * (time.front() + time.back());
     const double to = stated ? results.window_end : time.back();
@@ -186,7 +185,7 @@ double window_mean(const Results& results, const std::string& column) {
         sum += series[k];
         ++count;
     }
-    return count > 0 ? sum / count : nan;
+    return count > 0 ? sum / count : undefined;
 }
 
 }  // namespace tt

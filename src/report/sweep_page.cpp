@@ -93,8 +93,6 @@ Json key_json(const std::string& key, const std::string& name, const AxisPlaces&
     return json;
 }
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 /// The page of a run where it has one, else its directory.
 std::string link_to(const fs::path& directory, const SweptRun& run, const fs::path& from) {
     const fs::path place = (directory / run.directory).lexically_normal();

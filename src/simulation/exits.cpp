@@ -10,8 +10,6 @@
 namespace tt {
 namespace {
 
-constexpr double reach = Lattice::halo;  ///< of a kernel
-
 /// Nothing but fluid between a place and the exit ahead of it.
 bool in_sight(const Exit& exit, const Walls& walls, Vec2 place, double way) {
     for (double at = 0.0; at < way - 0.5; at += 1.0) {
@@ -53,7 +51,7 @@ double way_to(const Exit& exit, const Model& model, const Suspension& cells, int
     const Vec2 along = exit.to - exit.from;
     const double share = dot(middle - exit.from, along) / dot(along, along);
     const double way = dot(exit.from - middle, exit.out);
-    const double farthest = exit.fade + reach + 0.5 * cells.perimeter[cell];
+    const double farthest = exit.fade + kernel_reach + 0.5 * cells.perimeter[cell];
     if (share < 0.0 || share > 1.0 || way < 0.0 || way > farthest) return HUGE_VAL;
     if (!in_sight(exit, *model.boundaries.walls, middle, way)) return HUGE_VAL;
     double foremost = way;
@@ -81,7 +79,8 @@ void fade_forces(const Model& model, Suspension& cells) {
         double left = 1.0;
         for (const Exit& exit : model.exits)
             if (exit.fade > 0.0)
-                left = std::min(left, (way_to(exit, model, cells, c, middle) - reach) / exit.fade);
+                left = std::min(left,
+                                (way_to(exit, model, cells, c, middle) - kernel_reach) / exit.fade);
         if (left >= 1.0) continue;
         for (int n = cells.first[c]; n < cells.first[c + 1]; ++n) {
             cells.fx[n] *= std::max(left, 0.0);
@@ -97,7 +96,7 @@ bool release_cells(const Model& model, State& state) {
         bool leaves = false;
         const bool led = state.cells.led[static_cast<std::size_t>(c)] != 0;
         for (std::size_t n = 0; n < model.exits.size() && !leaves && !led; ++n) {
-            leaves = way_to(model.exits[n], model, state.cells, c, middle) < reach;
+            leaves = way_to(model.exits[n], model, state.cells, c, middle) < kernel_reach;
             if (leaves)
                 state.departed.push_back(
                     departed(model.exits[n], static_cast<std::int64_t>(n), state, c));

@@ -29,6 +29,9 @@ struct Departed {
     std::vector<double> rest_length;  ///< of its segments
 };
 
+/// Of a delta kernel, in sites: nearer to a port a node feels what is beyond it.
+inline constexpr double kernel_reach = Lattice::halo;
+
 /// How far along a port a point is: from its lower or left end, whichever way round it was drawn.
 double place_along(const Exit& exit, Vec2 point);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int width = Stencils<>::width;
 /// Behind a port a cell is let go once no kernel of it can reach back, not even if it wavers.
-constexpr double reach = Lattice::halo, clear = reach + 1.0;
+constexpr double clear = kernel_reach + 1.0;
 
 /// How far the foremost and the hindmost node of a cell of the feed have come along its flow.
 struct Progress {
@@ -106,8 +106,8 @@ bool admit_cells(const Model& model, State& state) {
             const double port = from.turn[static_cast<std::size_t>(c)] * double(feed.period);
             // No node is farther from another than half of the perimeter.
             const double one = dot(cells.position(cells.first[c]), feed.in);
-            if (one + 0.5 * cells.perimeter[c] < port - reach) continue;
-            if (progress_of(feed, cells, c).front >= port - reach)
+            if (one + 0.5 * cells.perimeter[c] < port - kernel_reach) continue;
+            if (progress_of(feed, cells, c).front >= port - kernel_reach)
                 admit(model, feed, c, from, state);
         }
     }

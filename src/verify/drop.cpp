@@ -15,7 +15,7 @@
 namespace tt {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Model drop_model(const DropScene& scene, double tension) {
     const int side = static_cast<int>(std::lround(scene.box));

@@ -39,7 +39,7 @@ protected:
             return std::pair{x, y};
         };
         std::ofstream loop(path("channel.csv"));
-        for (const auto [x, y] : {turned(0, 0), turned(60, 0), turned(60, 12), turned(0, 12)})
+        for (const auto& [x, y] : {turned(0, 0), turned(60, 0), turned(60, 12), turned(0, 12)})
             loop << x << ',' << y << '\n';
         const auto [ix, iy] = turned(0, 6);
         const auto [ox, oy] = turned(60, 6);

@@ -19,8 +19,6 @@ namespace {
 /// What a second call of `run` makes of a directory.
 using GoingOn = RunsTest;
 
-constexpr std::int64_t steps = 6001;
-
 TEST_F(GoingOn, finished_results_without_a_checkpoint_are_left_as_they_are) {
     const RunRequest request = small_request(path("done"), 100);
     run_small(request);
@@ -206,8 +204,8 @@ TEST_F(GoingOn, results_whose_checkpoints_are_gone_are_not_written_over) {
 }
 
 TEST_F(GoingOn, a_damaged_provenance_does_not_stop_a_run) {
-    run_small(small_request(path("straight"), steps));
-    const RunRequest request = small_request(path("damaged"), steps);
+    run_small(small_request(path("straight"), small_steps));
+    const RunRequest request = small_request(path("damaged"), small_steps);
     stop_midway(request);
     const fs::path file = path("damaged") / "PROVENANCE.json";
     for (const char* text : {"{\"name\": ", "[]", "", "{\"sessions\": 1}"}) {

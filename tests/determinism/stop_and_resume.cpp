@@ -33,9 +33,6 @@ namespace {
 
 using StopAndResume = RunsTest;
 
-/// They take a tenth of a second and more; stops come after 20 to 50 ms.
-constexpr std::int64_t steps = 6001;
-
 TEST_F(StopAndResume, a_run_that_is_killed_again_and_again_ends_like_one_that_is_not) {
     // A hundred on demand: TANKTREAD_KILLS=100 test_determinism --gtest_filter='*killed*'
     const char* const asked = std::getenv("TANKTREAD_KILLS");
@@ -68,7 +65,7 @@ TEST_F(StopAndResume, a_run_that_is_killed_again_and_again_ends_like_one_that_is
 }
 
 TEST_F(StopAndResume, a_signal_stops_cleanly_and_the_next_call_goes_on) {
-    constexpr std::int64_t long_enough = 10 * steps;
+    constexpr std::int64_t long_enough = 10 * small_steps;
     run_small(small_request(path("straight"), long_enough));
     const RunRequest request = small_request(path("stopped"), long_enough);
     const fs::path log = path("stopped") / "run.log";
@@ -132,8 +129,8 @@ TEST_F(StopAndResume, a_hang_up_that_the_caller_ignores_stays_ignored) {
 }
 
 TEST_F(StopAndResume, the_time_limit_stops_and_every_piece_adds_up) {
-    run_small(small_request(path("straight"), steps));
-    RunRequest request = small_request(path("pieces"), steps);
+    run_small(small_request(path("straight"), small_steps));
+    RunRequest request = small_request(path("pieces"), small_steps);
     request.max_time = Time{0.03};
     int pieces = 1;
     for (; run_small(request).ending == RunOutcome::Ending::stopped; ++pieces) {
@@ -151,8 +148,8 @@ TEST_F(StopAndResume, the_time_limit_stops_and_every_piece_adds_up) {
 }
 
 TEST_F(StopAndResume, a_damaged_checkpoint_is_passed_over_for_the_previous_one) {
-    run_small(small_request(path("straight"), steps));
-    const RunRequest request = small_request(path("damaged"), steps);
+    run_small(small_request(path("straight"), small_steps));
+    const RunRequest request = small_request(path("damaged"), small_steps);
     stop_midway(request);
     const fs::path current = path("damaged") / "checkpoint/current";
     std::string bytes = read_file(current);
@@ -167,8 +164,8 @@ TEST_F(StopAndResume, a_damaged_checkpoint_is_passed_over_for_the_previous_one) 
 }
 
 TEST_F(StopAndResume, a_checkpoint_that_cannot_be_read_is_passed_over_for_the_previous_one) {
-    run_small(small_request(path("straight"), steps));
-    const RunRequest request = small_request(path("unreadable"), steps);
+    run_small(small_request(path("straight"), small_steps));
+    const RunRequest request = small_request(path("unreadable"), small_steps);
     stop_midway(request);
     const fs::path current = path("unreadable") / "checkpoint/current";
     fs::remove(current);
@@ -179,7 +176,7 @@ TEST_F(StopAndResume, a_checkpoint_that_cannot_be_read_is_passed_over_for_the_pr
 }
 
 TEST_F(StopAndResume, without_any_sound_checkpoint_nothing_is_overwritten) {
-    const RunRequest request = small_request(path("damaged"), steps);
+    const RunRequest request = small_request(path("damaged"), small_steps);
     stop_midway(request);
     for (const char* name : {"current", "previous"}) {
         const fs::path file = path("damaged") / "checkpoint" / name;
@@ -191,8 +188,8 @@ TEST_F(StopAndResume, without_any_sound_checkpoint_nothing_is_overwritten) {
 }
 
 TEST_F(StopAndResume, a_full_disk_destroys_nothing_and_the_run_goes_on_with_more_room) {
-    run_small(small_request(path("straight"), steps));
-    RunRequest request = small_request(path("full"), steps);
+    run_small(small_request(path("straight"), small_steps));
+    RunRequest request = small_request(path("full"), small_steps);
     request.checkpoint = Time{0.01};
     int failures = 0;
     // Sizes at which first a checkpoint, then a table does not fit.
@@ -236,7 +233,7 @@ void forge(const fs::path& path, const std::string& section, std::optional<T> va
 
 /// What a checkpoint holds is looked at before anything is done by it.
 TEST_F(StopAndResume, a_checkpoint_with_forged_numbers_is_passed_over) {
-    const RunRequest request = small_request(path("forged"), steps);
+    const RunRequest request = small_request(path("forged"), small_steps);
     stop_midway(request);
     const fs::path current = path("forged") / "checkpoint/current";
     fs::copy(path("forged"), path("sound"), fs::copy_options::recursive);
@@ -273,8 +270,8 @@ TEST_F(StopAndResume, a_checkpoint_with_forged_numbers_is_passed_over) {
 
 /// Sound as a file, with a right checksum: it counts as damaged none the less.
 TEST_F(StopAndResume, a_checkpoint_with_impossible_content_is_passed_over) {
-    run_small(small_request(path("straight"), steps));
-    const RunRequest request = small_request(path("forged"), steps);
+    run_small(small_request(path("straight"), small_steps));
+    const RunRequest request = small_request(path("forged"), small_steps);
     stop_midway(request);
     const fs::path current = path("forged") / "checkpoint/current";
     const ArchiveReader whole(current);

@@ -144,19 +144,19 @@ std::vector<double> conductances(const std::string& folder, const std::string& f
     return values;
 }
 
-constexpr std::array fork{R"(["0 um", "0 um"])", R"(["170 um", "-36 um"])",
-                          R"(["170 um", "33 um"])"};
+constexpr std::array fork_files{R"(["0 um", "0 um"])", R"(["170 um", "-36 um"])",
+                                R"(["170 um", "33 um"])"};
 constexpr std::array junction{R"(["0 um", "9 um"])", R"(["66 um", "-50 um"])",
                               R"(["67 um", "70 um"])"};
 
 // With 17 sites in the narrowest branch.
 TEST(Networks, flow_of_plasma_through_a_fork) {
-    const auto by_inlet = conductances("/cases/07-fork", "fork.csv", fork, 0, "0.5 um");
+    const auto by_inlet = conductances("/cases/07-fork", "fork.csv", fork_files, 0, "0.5 um");
     const std::string start = "y_bifurcation,G ";
     EXPECT_NEAR(by_inlet[0] / reference(start + "inlet when dp is at the inlet,um^2,"), 1.0, 0.005);
     EXPECT_NEAR(by_inlet[1] / reference(start + "lower when dp is at the inlet,um^2,"), 1.0, 0.005);
     EXPECT_NEAR(by_inlet[2] / reference(start + "upper when dp is at the inlet,um^2,"), 1.0, 0.005);
-    const auto by_lower = conductances("/cases/07-fork", "fork.csv", fork, 1, "0.5 um");
+    const auto by_lower = conductances("/cases/07-fork", "fork.csv", fork_files, 1, "0.5 um");
     EXPECT_NEAR(by_lower[1] / reference(start + "lower when dp is at the lower port,um^2,"), 1.0,
                 0.005);
     // An eighth of what comes in: as much of it is 0.1 % of the whole.

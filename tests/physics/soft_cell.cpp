@@ -54,11 +54,17 @@ TEST(BiconcaveCell, tank_treads_when_its_inside_is_thin_and_tumbles_when_it_is_t
     EXPECT_LT(thick, -150.0);
 }
 
+PressureDrive driven_at(double pseudo_shear_rate) {
+    PressureDrive drive;
+    drive.pseudo_shear_rate = Rate{pseudo_shear_rate};
+    return drive;
+}
+
 /// One circular cell at this height of a channel 20 um wide, h = 0.5 um.
 Case cell_in_channel(double height, double shear_modulus) {
     Case c;
     c.domain = {Length{40e-6}, Length{20e-6}};
-    c.flow.drive = PressureDrive{{.pseudo_shear_rate = Rate{200.0}}};
+    c.flow.drive = driven_at(200.0);
     c.cells.layout = AtPositions{{{Length{20e-6}, Length{height}}}};
     c.cells.radius = Length{3e-6};
     c.cells.cytoplasm_viscosity = c.plasma.viscosity;
@@ -111,7 +117,7 @@ TEST(CellInChannel, does_not_feel_its_own_speed_only_if_advection_is_kept_or_the
 TEST(CellsInChannel, flow_out_at_a_higher_hematocrit_than_they_have_in_the_channel) {
     Case c;
     c.domain = {Length{80e-6}, Length{20e-6}};
-    c.flow.drive = PressureDrive{{.pseudo_shear_rate = Rate{500.0}}};
+    c.flow.drive = driven_at(500.0);
     c.cells.count = 12;
     c.cells.layout = PaperRows{};
     c.numerics.dx = Length{0.4e-6};

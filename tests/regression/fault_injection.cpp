@@ -52,20 +52,20 @@ private:
     Fault fault_;
 };
 
-constexpr std::int64_t when = 131;  ///< the fault's step
+constexpr std::int64_t fault_step = 131;  ///< the fault's step
 
 /// Steps from the fault until it was noticed; −1 if it never was in as many as given.
 std::int64_t steps_until_noticed(FaultyExchange::Fault fault, std::int64_t steps = 300) {
     const Model model = small_model();
     State state = small_state(model);
     Health health(HealthLimits{}, state);
-    FaultyExchange exchange(state, when, std::move(fault));
+    FaultyExchange exchange(state, fault_step, std::move(fault));
     try {
-        run_steps(model, state, exchange, health, when + steps,
+        run_steps(model, state, exchange, health, fault_step + steps,
                   Clock::now() + std::chrono::seconds(60));
     } catch (const SimulationError& error) {
-        EXPECT_GE(error.instability().step, when);
-        return error.instability().step - when;
+        EXPECT_GE(error.instability().step, fault_step);
+        return error.instability().step - fault_step;
     }
     return -1;
 }
@@ -128,7 +128,7 @@ TEST(FaultInjection, a_node_through_the_wall_is_noticed_within_a_hundred_steps) 
 
 TEST(FaultInjection, a_fault_in_the_last_step_is_noticed_before_anybody_looks) {
     const auto fault = [](State& s) { force_on(s, {9, 12}, {50.0, 0.0}); };
-    static_assert((when + 1) % HealthLimits{}.interval != 0);
+    static_assert((fault_step + 1) % HealthLimits{}.interval != 0);
     EXPECT_EQ(steps_until_noticed(fault, 1), 1);
 }
 
@@ -246,7 +246,8 @@ TEST_F(FailingRun, with_numbers_that_are_not_finite_is_told_all_the_same) {
     EXPECT_TRUE(fs::exists(failure("failure.json")));
     EXPECT_EQ(FramesReader(failure("frames.h5")).count(), 2);
     EXPECT_TRUE(read_json(failure("failure.json"))["value"].is_null());
-    const std::string section = failure_section(read_results(request.directory), "small", "failure");
+    const std::string section =
+        failure_section(read_results(request.directory), "small", "failure");
     EXPECT_EQ(count(section, "<svg"), 2);
     EXPECT_EQ(section.find("nan", section.find("<svg")), std::string::npos) << section;
 }

@@ -33,7 +33,7 @@ std::size_t longest_line(const std::string& text) {
     return longest;
 }
 
-std::string source(const std::string& path) { return std::string(TT_SOURCE_DIR) + "/" + path; }
+std::string in_source(const std::string& path) { return std::string(TT_SOURCE_DIR) + "/" + path; }
 
 TEST(CommandLine, bad_commands_end_with_2_and_say_what_to_write) {
     EXPECT_EQ(run({}).code, 2);
@@ -81,16 +81,16 @@ TEST(CommandLine, a_file_that_cannot_be_read_ends_with_5) {
     EXPECT_EQ(outcome.code, 5);
     EXPECT_NE(outcome.err.find("no-such-file.toml"), std::string::npos);
     EXPECT_EQ(run({"check", TT_SOURCE_DIR}).code, 5);
-    const Outcome folder = run({"check", source("cases/05-channel")});
+    const Outcome folder = run({"check", in_source("cases/05-channel")});
     EXPECT_EQ(folder.code, 5);
-    EXPECT_NE(folder.err.find("did you mean " + source("cases/05-channel/case.toml?")),
+    EXPECT_NE(folder.err.find("did you mean " + in_source("cases/05-channel/case.toml?")),
               std::string::npos)
         << folder.err;
 }
 
 TEST(CommandLine, a_faulty_case_ends_with_2_and_leaves_stdout_empty) {
     const Outcome outcome =
-        run({"check", source("cases/05-channel/case.toml"), "--set", "flow.drive=pull"});
+        run({"check", in_source("cases/05-channel/case.toml"), "--set", "flow.drive=pull"});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.out, "");
     EXPECT_NE(outcome.err.find("--set flow.drive=pull: drive"), std::string::npos);
@@ -111,7 +111,7 @@ TEST(CommandLine, help_goes_to_stdout_and_fits_80_columns) {
 }
 
 TEST(CommandLine, the_page_of_keys_is_that_of_this_program) {
-    std::ifstream file(source("docs/keys.md"));
+    std::ifstream file(in_source("docs/keys.md"));
     std::ostringstream page;
     page << file.rdbuf();
     EXPECT_TRUE(page.str() == tt::reference_markdown())
@@ -148,7 +148,7 @@ TEST_F(NewCase, can_be_read_and_never_overwrites) {
 }
 
 TEST(CommandLine, check_answers_which_dx_dt_and_tau) {
-    const std::string path = source("cases/04-cell-relaxing/case.toml");
+    const std::string path = in_source("cases/04-cell-relaxing/case.toml");
     const Outcome text = run({"check", path, "-j", "1"});
     EXPECT_EQ(text.code, 0) << text.err;
     EXPECT_LE(longest_line(text.out), 80u) << text.out;
@@ -167,7 +167,7 @@ TEST(CommandLine, check_answers_which_dx_dt_and_tau) {
 }
 
 TEST(CommandLine, check_refuses_what_cannot_be_stable_and_says_what_to_change) {
-    const std::string path = source("cases/04-cell-relaxing/case.toml");
+    const std::string path = in_source("cases/04-cell-relaxing/case.toml");
     const Outcome stiff =
         run({"check", path, "-j", "1", "--set", "membrane.area_stiffness=\"1 MPa\"", "--set",
              "membrane.hold_area=false"});
@@ -183,7 +183,7 @@ class RunVerb : public tt::TemporaryDirectory {
 protected:
     /// A small plain channel of a few hundred steps.
     std::vector<std::string> small_run(const std::string& out) const {
-        return {"run",        source("cases/01-poiseuille/case.toml"),
+        return {"run",        in_source("cases/01-poiseuille/case.toml"),
                 "-o",         path(out).string(),
                 "-j",         "1",
                 "--set",      "time.end=10 us",
@@ -214,7 +214,7 @@ TEST_F(RunVerb, report_leaves_out_figures_that_have_no_data_and_says_so) {
     EXPECT_TRUE(fs::exists(path("plasma") / "figures" / "mu_rel.png"));
 
     std::vector<std::string> relaxing = small_run("relaxing");
-    relaxing[1] = source("cases/04-cell-relaxing/case.toml");
+    relaxing[1] = in_source("cases/04-cell-relaxing/case.toml");
     relaxing[7] = "time.end=1 ms";
     ASSERT_EQ(run(relaxing).code, 0);
     const Outcome at_rest = run({"report", path("relaxing").string()});
@@ -296,7 +296,7 @@ TEST_F(RunVerb, bad_options_end_with_2_before_anything_is_written) {
 TEST_F(RunVerb, a_refusal_leaves_every_directory_as_it_was) {
     const auto refused = [&](const std::string& out) {
         return std::vector<std::string>{
-            "run",        source("cases/05-channel/case.toml"),
+            "run",        in_source("cases/05-channel/case.toml"),
             "-o",         out,
             "-j",         "1",
             "--set",      "cells.layout=explicit",
@@ -324,10 +324,11 @@ TEST_F(RunVerb, a_stop_while_cells_are_placed_ends_it_at_once) {
         tt::request_stop();
     });
     const auto begin = std::chrono::steady_clock::now();
-    const Outcome outcome = run(
-        {"run", source("cases/05-channel/case.toml"), "-o", path("a").string(), "-j", "1", "--set",
-         "cells.layout=random", "--set", "cells.hematocrit=60 %", "--set", "domain.length=2 mm",
-         "--set", "domain.width=0.2 mm", "--set", "numerics.dx=1 um", "--progress", "none"});
+    const Outcome outcome =
+        run({"run", in_source("cases/05-channel/case.toml"), "-o", path("a").string(), "-j", "1",
+             "--set", "cells.layout=random", "--set", "cells.hematocrit=60 %", "--set",
+             "domain.length=2 mm", "--set", "domain.width=0.2 mm", "--set", "numerics.dx=1 um",
+             "--progress", "none"});
     impatient.join();
     tt::clear_stop_request();
     EXPECT_EQ(outcome.code, 75) << outcome.err;

@@ -14,7 +14,7 @@ using namespace tt;
 
 namespace {
 
-constexpr Lattice channel{48, 24, true};
+constexpr Lattice box{48, 24, true};
 
 /// Nodes strewn over the channel, as near to the walls as a tenth of a site, with random forces.
 Suspension strewn(std::uint64_t seed, double margin = 0.1) {
@@ -22,8 +22,8 @@ Suspension strewn(std::uint64_t seed, double margin = 0.1) {
     add_cell(cells, placed(circle(5.0, 60), 0.0, {24.0, 12.0}));
     Random random(seed);
     for (int n = 0; n < cells.node_count(); ++n) {
-        cells.x[n] = random.uniform(2.0, channel.nx - 2.0);
-        cells.y[n] = random.uniform(margin, channel.ny - margin);
+        cells.x[n] = random.uniform(2.0, box.nx - 2.0);
+        cells.y[n] = random.uniform(margin, box.ny - margin);
         cells.fx[n] = random.uniform(-1.0, 1.0);
         cells.fy[n] = random.uniform(-1.0, 1.0);
     }
@@ -41,8 +41,8 @@ class EveryKernel : public testing::TestWithParam<Kernel> {};
 TEST_P(EveryKernel, force_on_sites_equals_force_on_nodes_up_to_the_wall) {
     const Suspension cells = strewn(1);
     Stencils stencils(cells.node_count());
-    VectorField force(channel);
-    locate(GetParam().delta, channel, cells, stencils);
+    VectorField force(box);
+    locate(GetParam().delta, box, cells, stencils);
     spread(Order::zeroth, stencils, cells, force);
     Vec2 on_nodes, on_sites;
     double torque_on_nodes = 0.0, torque_on_sites = 0.0;
@@ -50,8 +50,8 @@ TEST_P(EveryKernel, force_on_sites_equals_force_on_nodes_up_to_the_wall) {
         on_nodes += cells.force(n);
         torque_on_nodes += cross(cells.position(n), cells.force(n));
     }
-    for (int j = 0; j < channel.ny; ++j) {
-        for (int i = -2; i < channel.nx + 2; ++i) {
+    for (int j = 0; j < box.ny; ++j) {
+        for (int i = -2; i < box.nx + 2; ++i) {
             on_sites += force(i, j);
             torque_on_sites += cross(Lattice::position(i, j), force(i, j));
         }
@@ -69,24 +69,23 @@ TEST_P(EveryKernel, spread_and_interpolate_are_adjoint) {
     // taken out.
     Suspension cells = strewn(2);
     Stencils stencils(cells.node_count());
-    VectorField force(channel), velocity(channel);
+    VectorField force(box), velocity(box);
     Random random(3);
-    for (int j = 0; j < channel.ny; ++j) {
-        for (int i = -2; i < channel.nx + 2; ++i) {
+    for (int j = 0; j < box.ny; ++j) {
+        for (int i = -2; i < box.nx + 2; ++i) {
             velocity.x(i, j) = random.uniform(-1.0, 1.0);
             velocity.y(i, j) = random.uniform(-1.0, 1.0);
         }
     }
-    locate(GetParam().delta, channel, cells, stencils);
+    locate(GetParam().delta, box, cells, stencils);
     spread(Order::zeroth, stencils, cells, force);
     for (int c = 0; c < cells.cell_count(); ++c)
         interpolate(Order::first, stencils, velocity, cells, c);
     double power_of_nodes = 0.0, power_of_sites = 0.0;
     for (int n = 0; n < cells.node_count(); ++n)
         power_of_nodes += dot(cells.force(n), cells.velocity(n));
-    for (int j = 0; j < channel.ny; ++j) {
-        for (int i = -2; i < channel.nx + 2; ++i)
-            power_of_sites += dot(force(i, j), velocity(i, j));
+    for (int j = 0; j < box.ny; ++j) {
+        for (int i = -2; i < box.nx + 2; ++i) power_of_sites += dot(force(i, j), velocity(i, j));
     }
     EXPECT_NEAR(power_of_nodes, power_of_sites, 1e-12);
 }
@@ -95,14 +94,14 @@ TEST_P(EveryKernel, linear_velocity_is_interpolated_exactly_up_to_the_wall) {
     if (!GetParam().first_moment_vanishes) return;
     Suspension cells = strewn(4, 0.05);
     Stencils stencils(cells.node_count());
-    VectorField velocity(channel);
-    for (int j = -2; j < channel.ny + 2; ++j) {
-        for (int i = -2; i < channel.nx + 2; ++i) {
+    VectorField velocity(box);
+    for (int j = -2; j < box.ny + 2; ++j) {
+        for (int i = -2; i < box.nx + 2; ++i) {
             velocity.x(i, j) = 0.3 + 0.02 * (j + 0.5);
             velocity.y(i, j) = -0.1 + 0.01 * (i + 0.5);
         }
     }
-    locate(GetParam().delta, channel, cells, stencils);
+    locate(GetParam().delta, box, cells, stencils);
     for (int c = 0; c < cells.cell_count(); ++c)
         interpolate(Order::first, stencils, velocity, cells, c);
     for (int n = 0; n < cells.node_count(); ++n) {
@@ -116,14 +115,14 @@ TEST_P(EveryKernel, linear_velocity_is_interpolated_exactly_up_to_the_wall) {
 TEST_P(EveryKernel, gives_the_same_bits_for_any_number_of_threads) {
     Suspension cells = strewn(6);
     Stencils stencils(cells.node_count());
-    VectorField one(channel);
-    locate(GetParam().delta, channel, cells, stencils);
+    VectorField one(box);
+    locate(GetParam().delta, box, cells, stencils);
     spread(Order::zeroth, stencils, cells, one);
     for (int threads : {2, 3, 7}) {
-        VectorField many(channel);
+        VectorField many(box);
         Stencils shared(cells.node_count());
         with_team(threads, [&] {
-            locate(GetParam().delta, channel, cells, shared);
+            locate(GetParam().delta, box, cells, shared);
             spread(Order::zeroth, shared, cells, many);
         });
         for (std::size_t k = 0; k < one.x.size(); ++k) {
@@ -136,24 +135,24 @@ TEST_P(EveryKernel, gives_the_same_bits_for_any_number_of_threads) {
 TEST_P(EveryKernel, blocks_of_nodes_on_the_ends_of_the_box_lie_on_sites_and_halo) {
     // Whatever rounding makes of a position just outside: wrapped, −10⁻¹⁸ becomes the far end
     // itself.
-    for (const Lattice& box : {Lattice{24, 12, true}, Lattice{24, 12, false}}) {
+    for (const Lattice& other : {Lattice{24, 12, true}, Lattice{24, 12, false}}) {
         Suspension cells;
         add_cell(cells, placed(circle(3.0, 40), 0.0, {12.0, 6.0}));
         const double tiny = 1e-18, small = 1e-14;
         const std::array<double, 8> shares{0.0, -tiny, tiny, small, -small, 1.0, 1.0 - 1e-16, 0.5};
         for (int n = 0; n < cells.node_count(); ++n) {
-            cells.x[n] = box.nx * (shares[n % 8] + (n % 3 - 1));
+            cells.x[n] = other.nx * (shares[n % 8] + (n % 3 - 1));
             const double y = shares[n / 5];
-            cells.y[n] = box.ny * (box.walls ? std::clamp(y, 0.0, 1.0) : y);
+            cells.y[n] = other.ny * (other.walls ? std::clamp(y, 0.0, 1.0) : y);
         }
         Stencils stencils(cells.node_count());
-        locate(GetParam().delta, box, cells, stencils);
+        locate(GetParam().delta, other, cells, stencils);
         constexpr int width = Stencils<>::width;
         for (int n = 0; n < cells.node_count(); ++n) {
             EXPECT_GE(stencils.i[n], -Lattice::halo);
-            EXPECT_LE(stencils.i[n] + width, box.nx + Lattice::halo);
+            EXPECT_LE(stencils.i[n] + width, other.nx + Lattice::halo);
             EXPECT_GE(stencils.j[n], -Lattice::halo);
-            EXPECT_LE(stencils.j[n] + stencils.points, box.ny + Lattice::halo);
+            EXPECT_LE(stencils.j[n] + stencils.points, other.ny + Lattice::halo);
             double along_x = 0.0, along_y = 0.0;
             for (int k = 0; k < width; ++k) {
                 along_x += stencils.wx[width * n + k];

@@ -44,7 +44,9 @@ double distance_to_walls(const Suspension& cells, const Lattice& box) {
 /// That cells keep apart, from the walls too, with the area they have at rest.
 void expect_sound(const Suspension& cells, const Lattice& box, double area) {
     EXPECT_TRUE(find_overlaps(box, cells).empty());
-    if (box.walls) EXPECT_GT(distance_to_walls(cells, box), 0.0);
+    if (box.walls) {
+        EXPECT_GT(distance_to_walls(cells, box), 0.0);
+    }
     for (int c = 0; c < cells.cell_count(); ++c)
         EXPECT_NEAR(cells.reference_area[c], area, 1e-6 * area);
 }

@@ -64,7 +64,9 @@ TEST_F(Messages, progress_as_json_is_nothing_else) {
         int count = 0;
         for (std::string line; std::getline(lines, line); ++count)
             EXPECT_TRUE(Json::accept(line)) << line;
-        if (time == 0) EXPECT_GE(count, 2);
+        if (time == 0) {
+            EXPECT_GE(count, 2);
+        }
     }
 }
 

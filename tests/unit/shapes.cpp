@@ -51,10 +51,10 @@ void expect_told(const std::string& text, const std::string& part) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
 }
 
-const std::vector<std::string> two{"upper", "lower"}, one{"outlet"};
+const std::vector<std::string> two_ends{"upper", "lower"}, one_end{"outlet"};
 
 TEST(Shapes, bring_ports_sections_and_a_fork_with_them) {
-    const Case c = of(fork_keys, two);
+    const Case c = of(fork_keys, two_ends);
     EXPECT_EQ(c.sections.size(), 3u);
     ASSERT_EQ(c.forks.size(), 1u);
     const Choice choice = choose(c);
@@ -77,9 +77,9 @@ TEST(Shapes, bring_ports_sections_and_a_fork_with_them) {
 TEST(Shapes, that_are_symmetric_part_the_flow_in_halves) {
     constexpr double bound = 3e-3;
     const Choice fork =
-        choose(of(fork_keys, two, {R"(geometry.daughter_widths=["12 um", "12 um"])"}));
+        choose(of(fork_keys, two_ends, {R"(geometry.daughter_widths=["12 um", "12 um"])"}));
     EXPECT_NEAR(fork.sections[1].plasma.inflow / fork.sections[2].plasma.inflow, 1.0, bound);
-    const Choice loop = choose(of(loop_keys, one));
+    const Choice loop = choose(of(loop_keys, one_end));
     EXPECT_NEAR(loop.sections[1].plasma.inflow / loop.sections[2].plasma.inflow, 1.0, bound);
     EXPECT_NEAR(loop.sections[0].plasma.inflow / loop.sections[3].plasma.inflow, 1.0, bound);
 }
@@ -89,25 +89,25 @@ TEST(Shapes, that_cannot_be_drawn_are_told_with_what_to_write) {
                 "the ports of shape = \"fork\" are inlet, "
                 "upper, lower");
     expect_told(told(fork_keys, {"upper"}), "has a port 'lower'; write [port.lower]");
-    expect_told(told(fork_keys, two, {R"(port.upper.at=["0 um", "1 um"])"}),
+    expect_told(told(fork_keys, two_ends, {R"(port.upper.at=["0 um", "1 um"])"}),
                 "at means nothing with shape = \"fork\"");
-    expect_told(told(fork_keys, two, {R"(geometry.angles=["10 deg", "-5 deg"])"}),
+    expect_told(told(fork_keys, two_ends, {R"(geometry.angles=["10 deg", "-5 deg"])"}),
                 "must leave at 20 deg more");
-    expect_told(told(fork_keys, two, {R"(geometry.lengths=["60 um", "30 um", "110 um"])"}),
+    expect_told(told(fork_keys, two_ends, {R"(geometry.lengths=["60 um", "30 um", "110 um"])"}),
                 "the upper daughter, 30 um long, is not straight for long enough");
-    expect_told(told(fork_keys, two, {R"(geometry.lengths=["60 um"])"}), "three channels");
-    expect_told(told(fork_keys, two, {"geometry.parent_width=0 um"}), "parent_width");
-    expect_told(told(fork_keys, two, {"geometry.parent_width=20"}), "parent_width");
-    expect_told(told(bend_keys, one, {"geometry.radius=8 um"}), "would cross itself");
-    expect_told(told(fork_keys, two,
+    expect_told(told(fork_keys, two_ends, {R"(geometry.lengths=["60 um"])"}), "three channels");
+    expect_told(told(fork_keys, two_ends, {"geometry.parent_width=0 um"}), "parent_width");
+    expect_told(told(fork_keys, two_ends, {"geometry.parent_width=20"}), "parent_width");
+    expect_told(told(bend_keys, one_end, {"geometry.radius=8 um"}), "would cross itself");
+    expect_told(told(fork_keys, two_ends,
                      {R"(geometry.angles=["72 deg", "50 deg"])",
                       R"(geometry.lengths=["60 um", "110 um", "400 um"])"}),
                 "channels overlap near");
-    expect_told(told(loop_keys, one,
+    expect_told(told(loop_keys, one_end,
                      {"geometry.island_width=5 um", R"(geometry.branch_widths=["6 um", "6 um"])"}),
                 "lie within the width");
-    EXPECT_EQ(told(bend_keys, one), "");
-    EXPECT_EQ(told(bend_keys, one, {"geometry.angle=-37 deg"}), "");
+    EXPECT_EQ(told(bend_keys, one_end), "");
+    EXPECT_EQ(told(bend_keys, one_end, {"geometry.angle=-37 deg"}), "");
 }
 
 }  // namespace

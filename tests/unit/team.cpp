@@ -57,7 +57,9 @@ TEST(Team, shares_cover_everything_once_in_order) {
             });
             for (int k = 0; k < count; ++k) {
                 EXPECT_GE(owner[k], 0);
-                if (k > 0) EXPECT_GE(owner[k], owner[k - 1]);
+                if (k > 0) {
+                    EXPECT_GE(owner[k], owner[k - 1]);
+                }
             }
         }
     }

@@ -8,7 +8,7 @@ namespace tt {
 namespace {
 
 constexpr double bend = 1.5;         ///< radius of the middle line where it bends back, in widths
-constexpr double along = 1.0 / 3.0;  ///< share of a daughter that runs along x again
+constexpr double level = 1.0 / 3.0;  ///< share of a daughter that runs along x again
 
 /// One of the two channels behind the fork: its outer wall begins at the corner of the parent.
 struct Daughter {
@@ -16,7 +16,7 @@ struct Daughter {
     double width, angle, length;
     Vec2 corner;
 
-    double straight() const { return (1.0 - along) * length - bend * width * std::fabs(angle); }
+    double straight() const { return (1.0 - level) * length - bend * width * std::fabs(angle); }
     ChannelPen start() const {
         const Vec2 left{-std::sin(angle), std::cos(angle)};
         return {corner - 0.5 * side * width * left, angle, width};
@@ -89,7 +89,7 @@ ShapeFaults ForkShape::faults() const {
                      "the {} daughter, {} long, is not straight for long enough to part "
                      "from the other before it bends back to x; write {}",
                      d->side > 0.0 ? "upper" : "lower", um(d->length),
-                     um(std::ceil(1e6 * (d->length + 1.1 * missing / (1.0 - along))) * 1e-6)));
+                     um(std::ceil(1e6 * (d->length + 1.1 * missing / (1.0 - level))) * 1e-6)));
     }
     return faults;
 }
@@ -102,7 +102,7 @@ ShapeDrawing ForkShape::drawing() const {
         ChannelPen pen = d.start();
         pen.go(d.straight());
         if (d.angle != 0.0) pen.turn(-d.angle, bend * d.width);
-        const double last = along * d.length;
+        const double last = level * d.length;
         pen.go(0.25 * last);
         drawing.sections.push_back(pen.section(section));
         pen.go(0.75 * last);

@@ -63,14 +63,6 @@ void add_segment(Vec2 a, Vec2 b, Patch& patch) {
     }
 }
 
-TT_CLONES void sum_along_y(Patch& patch) {
-    for (int r = 1; r < patch.height; ++r) {
-        const double* below = patch.row(r - 1);
-        double* here = patch.row(r);
-        for (int c = 0; c < patch.width; ++c) here[c] += below[c];
-    }
-}
-
 }  // namespace
 
 void AreaFraction::cover(const LocalOutline& outline, Patch& patch) {

@@ -18,14 +18,6 @@ int first_row_above(Vec2 a, Vec2 b, double x) {
     return r;
 }
 
-TT_CLONES void sum_along_y(Patch& patch) {
-    for (int r = 1; r < patch.height; ++r) {
-        const double* below = patch.row(r - 1);
-        double* here = patch.row(r);
-        for (int c = 0; c < patch.width; ++c) here[c] += below[c];
-    }
-}
-
 }  // namespace
 
 void ScanLine::operator()(const LocalOutline& outline, Patch& patch) const {
