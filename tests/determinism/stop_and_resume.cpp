@@ -65,7 +65,7 @@ TEST_F(StopAndResume, a_run_that_is_killed_again_and_again_ends_like_one_that_is
 }
 
 TEST_F(StopAndResume, a_signal_stops_cleanly_and_the_next_call_goes_on) {
-    constexpr std::int64_t long_enough = 10 * small_steps;
+    constexpr std::int64_t long_enough = 3 * small_steps;
     run_small(small_request(path("straight"), long_enough));
     const RunRequest request = small_request(path("stopped"), long_enough);
     const fs::path log = path("stopped") / "run.log";
