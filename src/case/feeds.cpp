@@ -181,11 +181,13 @@ std::vector<Feed> feeds_of(const Case& c, const Choice& choice, const Model& net
     return list;
 }
 
-Walls without_entrances(const Model& network) {
+Walls with_closed_ports(const Model& network) {
     Solid solid = network.boundaries.walls->solid;
-    for (const Feed& feed : network.feeds) {
-        const Opening& port = solid.openings[static_cast<std::size_t>(feed.port)];
-        const Vec2 in = feed.room * feed.in;
+    std::vector<double> depth(network.exits.size(), kernel_reach);
+    for (const Feed& feed : network.feeds) depth[static_cast<std::size_t>(feed.port)] = feed.room;
+    for (std::size_t n = 0; n < network.exits.size(); ++n) {
+        const Exit& port = network.exits[n];
+        const Vec2 in = -depth[n] * port.out;
         solid.loops.push_back({port.from, port.to, port.to + in, port.from + in});
     }
     return make_walls(solid, network.lattice);

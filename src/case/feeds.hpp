@@ -27,8 +27,8 @@ std::vector<std::string> faults_of_feeds(const Case& c, const Choice& choice, co
 /// The channels that feed a network whose model, but for them, is `network`.
 std::vector<Feed> feeds_of(const Case& c, const Choice& choice, const Model& network);
 
-/// The walls of a network with its entrances closed, so that cells placed at the start leave them
-/// to those that come in.
-Walls without_entrances(const Model& network);
+/// The walls of a network with its ports closed: as far as no cell may lie at the start, and before
+/// a port that feeds as far as cells are led that come in.
+Walls with_closed_ports(const Model& network);
 
 }  // namespace tt

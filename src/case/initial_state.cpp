@@ -77,11 +77,13 @@ std::vector<Placement> placements(const Case& c, const Model& m, const std::vect
     const double length = m.lattice.nx, width = m.lattice.ny;
     const auto seed = static_cast<std::uint64_t>(c.cells.seed);
     const Walls* const walls = m.boundaries.walls.get();
-    const Walls left = m.feeds.empty() ? Walls{} : without_entrances(m);
-    const Room room{m.lattice, m.feeds.empty() ? walls : &left};
+    const Walls closed = m.exits.empty() ? Walls{} : with_closed_ports(m);
+    const Room room{m.lattice, m.exits.empty() ? walls : &closed};
     const auto number = [&](int multiple) {  // as near to the hematocrit as there are whole cells
         if (!c.cells.hematocrit) return static_cast<int>(c.cells.count.value_or(1));
-        const double cells = *c.cells.hematocrit * room.area() / area_of(shape);
+        // What comes in fills the stretch before a port that feeds.
+        const double area = m.feeds.empty() ? m.open_area() : room.area();
+        const double cells = *c.cells.hematocrit * area / area_of(shape);
         return multiple * std::max(1, static_cast<int>(std::lround(cells / multiple)));
     };
     if (const auto* rows = std::get_if<PaperRows>(&c.cells.layout)) {

@@ -1,5 +1,6 @@
 #include "case/openings.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +9,8 @@
 
 #include "base/error.hpp"
 #include "case/choose.hpp"
+#include "case/discretise.hpp"
+#include "case/initial_state.hpp"
 #include "case/read.hpp"
 #include "case/write.hpp"
 #include "faults_of.hpp"
@@ -94,6 +97,16 @@ TEST(Openings, are_the_whole_straight_piece_whatever_points_lie_on_it) {
         EXPECT_NEAR(norm(after[n].to - before[n].to), 0.0, 1e-15);
     }
     EXPECT_NEAR(width_of(before[1]), 8.5e-6, 1e-15);
+}
+
+TEST(CellsAtRandom, leave_the_ports_free) {
+    // Both laid a cell into a port before ports were closed to them.
+    for (int seed = 1; seed <= 2; ++seed) {
+        const Case c = read_case(fork, {"numerics.dx=0.5 um", "cells.hematocrit=35 %",
+                                        fmt::format("cells.seed={}", seed)});
+        const Model model = discretise(c, choose(c));
+        EXPECT_EQ(faults_of([&] { initial_state(c, model); }), "") << "seed " << seed;
+    }
 }
 
 }  // namespace
