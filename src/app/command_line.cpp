@@ -148,6 +148,7 @@ std::vector<const CLI::App*> shown_verbs(const CLI::App& app) {
 }
 
 int run_command_line(int given, const char* const* words) {
+    message_writer = write_plainly;
     const std::vector<const char*> arguments = with_help_last(given, words);
     const int argc = static_cast<int>(arguments.size());
     const char* const* argv = arguments.data();

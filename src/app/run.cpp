@@ -50,10 +50,14 @@ LayoutWatch stoppable(LayoutWatch watch) {
     };
 }
 
-/// What to do next, for people: a reader of --progress json sees nothing but JSON.
-void tell_next(const RunRequest& request, const std::string& lines) {
+/// What to do next, and how the run was, for people; for programs the checks alone.
+void tell_next(const RunRequest& request, const std::string& next,
+               const std::vector<RunCheck>& checks) {
     std::fflush(stdout);  // before what goes to stderr
-    if (request.progress != ProgressMode::json) tell_user("{}", lines);
+    if (request.progress != ProgressMode::json)
+        tell_user("{}\n{}", next, describe_checks(checks));
+    else if (!checks.empty())
+        std::fputs((Json{{"checks", to_json(checks)}}.dump() + '\n').c_str(), stderr);
 }
 
 int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
@@ -61,8 +65,7 @@ int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
     switch (outcome.ending) {
         case RunOutcome::Ending::done:
             fmt::print("{}\n", directory);
-            tell_next(request, fmt::format("next:  tanktread report {}\n{}", directory,
-                                           describe_checks(outcome.checks)));
+            tell_next(request, "next:  tanktread report " + shell_word(directory), outcome.checks);
             return exit_code::done;
         case RunOutcome::Ending::was_done:
             fmt::print("{}\n", directory);
@@ -70,17 +73,18 @@ int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
                       wrapped(fmt::format("{} is finished, {} steps; a later time.end makes it "
                                           "longer, --fresh begins anew and keeps it beside",
                                           directory, outcome.steps),
-                              79, 2) +
-                          '\n' + describe_checks(outcome.checks));
+                              79, 2),
+                      outcome.checks);
             return exit_code::done;
         case RunOutcome::Ending::stopped:
             break;
     }
-    tell_next(request, fmt::format("next:  tanktread resume {}\n", directory));
+    tell_next(request, "next:  tanktread resume " + shell_word(directory), {});
     return exit_code::stopped_early;
 }
 
 int run(const RunOptions& options, const std::string& command_line) {
+    const ProgressMode progress = progress_mode(options.progress);
     const GivenCase given = read_given_case(options.given);
     const Case& c = given.c;
     const Choice choice = choose(c);
@@ -94,7 +98,7 @@ int run(const RunOptions& options, const std::string& command_line) {
     request.case_toml =
         options.case_as_given.empty() ? given.text : read_file(options.case_as_given);
     request.command_line = command_line;
-    request.progress = progress_mode(options.progress);
+    request.progress = progress;
     request.start = options.fresh ? Start::fresh : Start::resume;
     if (options.max_time) request.max_time = parse_duration("--max-time", *options.max_time);
     if (options.until) {

@@ -60,9 +60,11 @@ void add_progress_option(CLI::App& verb, std::string& word) {
 }
 
 ProgressMode progress_mode(const std::string& word) {
-    return std::find_if(progress_modes().begin(), progress_modes().end(),
-                        [&](const auto& mode) { return mode.first == word; })
-        ->second;
+    const auto mode = std::find_if(progress_modes().begin(), progress_modes().end(),
+                                   [&](const auto& known) { return known.first == word; })
+                          ->second;
+    if (mode == ProgressMode::json) write_messages_as_json();
+    return mode;
 }
 
 }  // namespace tt

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -8,11 +9,15 @@
 
 namespace tt {
 
-/// A message on stderr. Where it cannot be written (closed, a full disk, a reader that is gone) it
-/// is lost, and nothing else: no simulation ends for it.
+/// What writes messages on stderr: as they are, unless another way was set, as for programs that
+/// read them. Where one cannot be written (closed, a full disk, a reader that is gone) it is lost,
+/// and nothing else: no simulation ends for it.
+inline void write_plainly(const std::string& text) { std::fputs(text.c_str(), stderr); }
+inline std::function<void(const std::string&)> message_writer = write_plainly;
+
 template <class... T>
 void tell_user(fmt::format_string<T...> form, T&&... values) {
-    std::fputs(fmt::format(form, std::forward<T>(values)...).c_str(), stderr);
+    message_writer(fmt::format(form, std::forward<T>(values)...));
 }
 
 }  // namespace tt

@@ -1,6 +1,7 @@
 #include "base/words.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace tt {
 
@@ -76,6 +77,15 @@ std::string shell_quoted(std::string_view text) {
     }
     word += '\'';
     return word;
+}
+
+std::string shell_word(const std::string& text) {
+    const auto plain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) ||
+               std::string_view("/._-+,").find(c) != std::string_view::npos;
+    };
+    return !text.empty() && std::all_of(text.begin(), text.end(), plain) ? text
+                                                                         : shell_quoted(text);
 }
 
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {

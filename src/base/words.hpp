@@ -22,6 +22,9 @@ std::vector<std::string_view> split(std::string_view text, char separator);
 /// `text` as one word of a shell, within single quotes.
 std::string shell_quoted(std::string_view text);
 
+/// The same, quoted only where it must be.
+std::string shell_word(const std::string& text);
+
 /// `text` broken at spaces, but not inside quotes, into lines of at most `width` letters; lines
 /// after the first begin with `indent` spaces.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0);

@@ -168,7 +168,9 @@ Pressure choose_area_stiffness(const Case& c, const Choice& choice) {
     const Hardening hardening = hardening_of(c.membrane.hardening);
     const double alpha =
         hardening.area ? hardening(expected_cell_stretch(choice.expected_stretch)) : 1.0;
-    return Pressure{std::min(1e4, std::min(5.0, auto_area_step_number / alpha) * fluid)};
+    const double number =
+        auto_area_share * area_step_limit(equivalent_radius(c).si / choice.dx.si) / alpha;
+    return Pressure{std::min(1e4, std::min(5.0, number) * fluid)};
 }
 
 }  // namespace

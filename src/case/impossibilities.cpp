@@ -16,6 +16,7 @@
 #include "case/fit.hpp"
 #include "case/judge.hpp"
 #include "case/judge_channels.hpp"
+#include "case/judge_flow.hpp"
 #include "case/openings.hpp"
 #include "case/sections.hpp"
 #include "case/membrane_of.hpp"
@@ -48,12 +49,10 @@ bool judge_outline(Judge& judge, const Case& c) {
 }
 
 void judge_membrane(Judge& judge, const MembraneCase& membrane) {
-    std::vector<Modality> hardened = membrane.hardening.apply_to;
-    if (is_drop(membrane) && std::erase(hardened, Modality::shear) > 0)
+    if (is_drop(membrane) && !membrane.hardening.apply_to.empty())
         judge.tell({"membrane.law"},
-                   fmt::format("a drop of constant surface tension does not harden: in "
-                               "[membrane.hardening] write apply_to = {}",
-                               value_text(hardened, {})));
+                   "a drop of constant surface tension has no membrane that hardens: in "
+                   "[membrane.hardening] write apply_to = []");
 }
 
 void judge_contact(Judge& judge, const MorseContact& contact) {
@@ -82,62 +81,6 @@ void judge_repulsion(Judge& judge, const Case& c) {
         fmt::format("repulsion_range = {} is more than the radius of a cell, {}; write "
                     "repulsion_range = \"{}\"",
                     to_text(*range), to_text(radius), rounded_text(Length{0.05 * radius.si}, 2)));
-}
-
-/// The key that asks for the flow, and what to write for one so many times as fast.
-std::pair<std::string, std::string> flow_times(const FlowCase& flow, double factor) {
-    std::pair<std::string, std::string> found;
-    const auto look = [&](const char* key, const auto& value) {
-        using Quantity = std::remove_cvref_t<decltype(*value)>;
-        if (value) found = {key, rounded_text(Quantity{factor * value->si}, 2)};
-    };
-    if (const ChannelFlow* channel = flow.channel()) {
-        look("pseudo_shear_rate", channel->pseudo_shear_rate);
-        look("mean_velocity", channel->mean_velocity);
-        look("largest_velocity", channel->largest_velocity);
-        look("flow_rate", channel->flow_rate);
-        look("wall_stress", channel->wall_stress);
-        look("pressure_gradient", channel->pressure_gradient);
-    }
-    if (flow.shear()) look("shear_rate", flow.shear()->shear_rate);
-    return found;
-}
-
-/// Every flow is asked for by a number of its own; here all are held against one range.
-void judge_rate(Judge& judge, const Case& c) {
-    constexpr double slowest = 1e-6, fastest = 1e6;
-    const ShearDrive* shear = c.flow.shear();
-    if (std::holds_alternative<NoDrive>(c.flow.drive) || (shear && !shear->shear_rate)) return;
-    const double rate = std::abs((shear ? *shear->shear_rate : pseudo_shear_rate(c)).si);
-    if (rate >= slowest && rate <= fastest) return;
-    const auto [key, value] = flow_times(
-        c.flow, (rate < slowest ? 1.1 * slowest : 0.9 * fastest) / std::max(rate, 1e-300));
-    const std::string write =
-        rate == 0.0 ? "drive = \"none\" and leave " + key + " out" : key + " = \"" + value + "\"";
-    judge.tell(
-        {"flow.pseudo_shear_rate", "flow.mean_velocity", "flow.largest_velocity", "flow.flow_rate",
-         "flow.wall_stress", "flow.pressure_gradient", "flow.shear_rate"},
-        fmt::format("the flow has a {} rate of {} /s, and {} to {} /s are possible; write {}",
-                    shear ? "shear" : "pseudo-shear", to_text(rate), to_text(slowest),
-                    to_text(fastest), write));
-}
-
-/// Cells in a flow that is so fast, or so viscous, for their membrane that no step and no grid
-/// keeps them whole. The same limit as of shear_number.
-void judge_shear_number(Judge& judge, const Case& c) {
-    const ShearDrive* shear = c.flow.shear();
-    if (c.numerics.fluid_only || (shear && !shear->shear_rate)) return;
-    const double rate = std::abs((shear ? *shear->shear_rate : pseudo_shear_rate(c)).si);
-    const double shear_number =
-        c.plasma.viscosity.si * rate * equivalent_radius(c).si / c.membrane.shear_modulus.si;
-    if (shear_number <= largest_shear_number) return;
-    const auto [key, value] = flow_times(c.flow, 0.1 * largest_shear_number / shear_number);
-    judge.tell(
-        {"flow." + key, "plasma.viscosity", "membrane.shear_modulus"},
-        fmt::format(
-            "G = mu k a / E_s is {:.3g}, and at most {} is possible: membranes would "
-            "be torn; look at the units of viscosity and shear_modulus, or write {} = \"{}\"",
-            shear_number, largest_shear_number, key, value));
 }
 
 bool is_whole(double count) { return std::abs(count - std::round(count)) < 1e-6 * count; }
@@ -258,10 +201,9 @@ std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
     judge_section_places(judge, c);
     judge_membrane(judge, c.membrane);
     if (c.contact.morse()) judge_contact(judge, *c.contact.morse());
-    judge_rate(judge, c);
+    judge_flow(judge, c, cells_have_size && !c.numerics.fluid_only);
     if (cells_have_size && !c.numerics.fluid_only) judge_repulsion(judge, c);
     if (cells_have_size) judge_feeds(judge, c);
-    if (cells_have_size) judge_shear_number(judge, c);
     if (cells_have_size) judge_grid(judge, c);
     judge_times(judge, c);
     return std::move(judge.faults);

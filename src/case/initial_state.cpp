@@ -173,8 +173,8 @@ void refuse_overlaps(const Model& m, const Suspension& cells) {
     std::vector<Fault> faults;
     std::vector<bool> told(cells.cell_count(), false);
     for (const Overlap& overlap : find_overlaps(m.lattice, cells)) {
-        if (told[overlap.cell]) continue;
-        told[overlap.cell] = true;
+        if (told[overlap.cell] || told[overlap.other]) continue;
+        told[overlap.cell] = told[overlap.other] = true;
         if (overlap.cell == overlap.other) {
             faults.push_back({"", 0, 0,
                               fmt::format("[cells] cell {} is longer than the box, {:.3g} um, and "

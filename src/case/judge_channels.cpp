@@ -92,8 +92,10 @@ void judge_wave(Judge& judge, const WaveCase& wave, const std::string& path,
                    "times = [\"0 s\", \"0.3 s\", \"1 s\"]");
     if (table->factors.size() != times.size())
         judge.tell({path + ".factors", path + ".waveform"},
-                   fmt::format("there are {} factors and {} times; write a factor for each",
-                               table->factors.size(), times.size()));
+                   fmt::format("there are {} factors and {} times; a factor for each, write "
+                               "factors = [{}]",
+                               table->factors.size(), times.size(),
+                               fmt::join(std::vector<int>(times.size(), 1), ", ")));
 }
 
 void judge_ports(Judge& judge, const Case& c) {
@@ -155,8 +157,8 @@ void judge_walls(Judge& judge, const Case& c) {
                             rounded_text(Length{0.5 * box.width.si}, 3)));
         if (stenosis->throat_length > box.length)
             judge.tell({"geometry.throat_length"},
-                       fmt::format("the throat is {} long and the channel {}; write a longer "
-                                   "channel, or throat_length = \"{}\"",
+                       fmt::format("the throat is {} long and the channel {}; write "
+                                   "throat_length = \"{}\", or a longer channel",
                                    to_text(stenosis->throat_length), to_text(box.length),
                                    rounded_text(Length{0.5 * box.length.si}, 3)));
     }

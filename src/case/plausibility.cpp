@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/units.hpp"
+#include "case/membrane_of.hpp"
 
 namespace tt {
 namespace {
@@ -53,16 +54,25 @@ std::vector<Usual> numbers_of_cells(const Case& c, const Appraisal& a) {
         list.push_back({"contact.energy", morse->energy.si, 0.0, 1e-4, SurfaceEnergy::dimension});
         list.push_back({"contact.decay", morse->decay.si, 1e5, 1e8, InverseLength::dimension});
     }
+    if (repels(c))
+        list.push_back({"contact.repulsion_strength", c.contact.repulsion_strength.si, 0.0, 1e5,
+                        decltype(c.contact.repulsion_strength)::dimension});
+    if (const HardeningCase& hardening = c.membrane.hardening; !hardening.apply_to.empty()) {
+        list.push_back({"membrane.hardening.D", hardening.D, 1e-3, 10.0, Dimension{}});
+        list.push_back({"membrane.hardening.beta", hardening.beta, 0.1, 100.0, Dimension{}});
+    }
     if (a.shear_number > 0.0)
         list.push_back({"G = mu k a / E_s", a.shear_number, 1e-3, 20.0, Dimension{}});
     return list;
 }
 
-std::vector<Usual> numbers_of_output(const Appraisal& a) {
-    return {
+std::vector<Usual> numbers_of_output(const Case& c, const Appraisal& a) {
+    std::vector<Usual> list{
         {"the number of frames", static_cast<double>(a.frames), 0.0, 5000.0, Dimension{}},
-        {"the disk needed in GB", 1e-9 * static_cast<double>(a.disk_bytes), 0.0, 20.0, Dimension{}},
-        {"the number of steps", static_cast<double>(a.steps), 0.0, 1e9, Dimension{}}};
+        {"the disk needed [GB]", 1e-9 * static_cast<double>(a.disk_bytes), 0.0, 20.0, Dimension{}},
+        {"the number of steps", static_cast<double>(a.steps), 0.0, 1e9, Dimension{}},
+        {"output.checkpoint", c.output.checkpoint.si, 0.0, 86400.0, Time::dimension}};
+    return list;
 }
 
 void tell_unusual(const std::vector<Usual>& list, std::vector<Advice>& advice) {
@@ -84,7 +94,7 @@ std::vector<Advice> implausible_numbers(const Case& c, const Choice& choice, con
     std::vector<Advice> advice;
     tell_unusual(numbers_of_flow(c, choice), advice);
     if (a.cells > 0) tell_unusual(numbers_of_cells(c, a), advice);
-    tell_unusual(numbers_of_output(a), advice);
+    tell_unusual(numbers_of_output(c, a), advice);
     return advice;
 }
 

@@ -30,7 +30,8 @@ std::optional<std::string> fault_of_name(std::string_view name) {
                 toml_string(name_from(name)));
     if (name_from(name) == name) return std::nullopt;
     return fmt::format(
-        "name must begin with a letter or a digit, end without a space and hold no '..'; write "
+        "name must begin with a letter, a digit or '_', end without a space and hold no '..'; "
+        "write "
         "name = {}",
         toml_string(name_from(name)));
 }
@@ -39,10 +40,13 @@ std::string name_from(std::string_view text) {
     std::string name;
     for (const char c : text.substr(0, longest)) {
         const bool twice = c == '.' && !name.empty() && name.back() == '.';
-        name += may_stand(c) && !twice ? c : '_';
+        const bool foreign =
+            (static_cast<unsigned char>(c) & 0xc0) == 0x80;  // a letter's later byte
+        if (!foreign) name += may_stand(c) && !twice ? c : '_';
     }
     if (name.empty() || !(is_letter_or_digit(name.front()) || name.front() == '_'))
         name.insert(0, "run");
+    if (name != text && name.find_first_not_of('_') == std::string::npos) name = "run";
     if (name.size() > longest) name.resize(longest);
     if (name.back() == ' ') name.back() = '_';
     return name;

@@ -43,7 +43,7 @@ struct FieldList<NumericsCase> {
         FieldEntry{"node_spacing",
                    &T::node_spacing,
                    "of the membrane, in sites",
-                   Range{0.2, 2.0},
+                   Range{0.35, 2.0},
                    {},
                    "0.8"},
         FieldEntry{"collision", &T::collision, "two relaxation times, or the one of Eq. 1"},

@@ -34,7 +34,7 @@ inline constexpr double auto_tension_step_number = 0.6;
 inline constexpr double auto_late_tension_step_number = 1.0;
 inline constexpr double auto_implicit_tension_step_number = 2.5;
 inline constexpr double auto_bending_step_number = 0.75;
-inline constexpr double auto_area_step_number = 20.0;
+inline constexpr double auto_area_share = 2.0 / 3.0;
 
 /// Length of the cells that a case describes: radius of the circle of the stress-free area.
 Length equivalent_radius(const Case& c);

@@ -188,11 +188,17 @@ TomlText parse_toml(std::string_view given, const std::string& name) {
     return result;
 }
 
+/// Of a value that is quoted and yet no TOML.
+std::string without_quotes(const std::string& text) {
+    const bool quoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
+    return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
 TomlNode parse_toml_value(const std::string& text) {
     const AsciiText ascii = to_ascii("x = " + text, "");
     TomlNode as_string;
     as_string.kind = TomlNode::Kind::string;
-    as_string.text = ascii.faults.empty() ? ascii.text.substr(4) : text;
+    as_string.text = ascii.faults.empty() ? ascii.text.substr(4) : without_quotes(text);
     if (!ascii.faults.empty() || text.find('\n') != std::string::npos) return as_string;
     Attempt a = attempt(ascii.text, "");
     if (!a.root || a.root->entries.size() != 1 || a.root->entries[0].key != "x") return as_string;

@@ -43,8 +43,8 @@ void LookAverage::resume(const ArchiveReader& archive) {
             ++damaged;
     }
     if (damaged > 0)
-        say_(fmt::format("{} leaves out {} looks that are damaged in '{}'", table_, damaged,
-                         looks_->path().string()));
+        say_(fmt::format("{} leaves out {} look{} damaged in '{}'", table_, damaged,
+                         damaged == 1 ? " that is" : "s that are", looks_->path().string()));
 }
 
 void LookAverage::look(Time time, const std::vector<double>& numbers) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/field_list.hpp"
@@ -167,6 +169,16 @@ struct FieldList<RunMeasures> {
                    "smallest gap between two cells within the reach of contact"},
     };
 };
+
+/// What a column of these rows means; empty if it is none of theirs.
+template <class Row>
+std::string meaning_of(std::string_view key) {
+    std::string meaning;
+    for_each_field<Row>([&](const auto& entry) {
+        if (entry.key == key) meaning = entry.meaning;
+    });
+    return meaning;
+}
 
 /// Velocity and hematocrit across the channel at one time, or averaged; index = row of sites from
 /// the bottom.

@@ -75,6 +75,13 @@ std::string progress_json(const Standing& s) {
     return line.dump();
 }
 
+void write_messages_as_json() {
+    message_writer = [](const std::string& text) {
+        const std::string message = text.ends_with('\n') ? text.substr(0, text.size() - 1) : text;
+        write_plainly(Json{{"message", message}}.dump(-1, ' ', false, replace_bad_letters) + '\n');
+    };
+}
+
 Progress::Progress(ProgressMode mode) : mode_(mode) {
     if (mode_ == ProgressMode::automatic)
         mode_ = isatty(STDERR_FILENO) ? ProgressMode::bar : ProgressMode::log;
@@ -104,21 +111,18 @@ void Progress::show(const Standing& standing) {
 void Progress::show(const std::string& line, const std::string& json) {
     if (mode_ == ProgressMode::none) return;
     if (mode_ == ProgressMode::bar) {
-        tell_user("\r\x1b[K{}", line);
+        write_plainly("\r\x1b[K" + line);
         std::fflush(stderr);
         line_open_ = true;
         return;
     }
-    tell_user("{}\n", mode_ == ProgressMode::json ? json : line);
+    write_plainly((mode_ == ProgressMode::json ? json : line) + '\n');
 }
 
 void Progress::say(const std::string& message) {
     if (line_open_) std::fputs("\r\x1b[K", stderr);
     line_open_ = false;
-    if (mode_ == ProgressMode::json)
-        tell_user("{}\n", Json{{"message", message}}.dump(-1, ' ', false, replace_bad_letters));
-    else if (mode_ != ProgressMode::none)
-        tell_user("{}\n", message);
+    if (mode_ != ProgressMode::none) tell_user("{}\n", message);
 }
 
 }  // namespace tt

@@ -27,6 +27,9 @@ bool takes_long(double seconds);
 /// How long a run takes, and what to write where that is too long.
 std::string remark_on_length(double seconds);
 
+/// From here on each message is a line of JSON, {"message": …}, as those of progress are.
+void write_messages_as_json();
+
 /// Shows how a run goes, on stderr.
 class Progress {
 public:

@@ -133,7 +133,8 @@ void measure_hematocrit(const Model& model, std::span<const CellMeasures> cells,
     m.hematocrit_tube = area / (model.open_area() * site);
     // A mean of round-off, as in fluid at rest, carries nothing.
     const double round_off = 1e-9 * model.scales.to_si<Velocity>(fastest).si;
-    const bool carries = !walls_drive(model) && std::abs(m.mean_velocity.si) > round_off;
+    const bool carries =
+        model.shear_rate != 0.0 && !walls_drive(model) && std::abs(m.mean_velocity.si) > round_off;
     m.hematocrit_discharge = carries ? carried / length / m.flux.si : undefined;
 }
 

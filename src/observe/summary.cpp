@@ -10,7 +10,7 @@
 
 #include "base/undefined.hpp"
 #include "io/csv.hpp"
-#include "observe/run_measures.hpp"
+#include "observe/cell_summary.hpp"
 #include "observe/section_summary.hpp"
 
 namespace tt {
@@ -19,6 +19,7 @@ namespace {
 constexpr std::array shapes{"taylor_inertia", "taylor_extent", "inclination_deg", "strain",
                             "lambda_C"};
 constexpr std::string_view period = "tank_treading_kT";
+constexpr std::string_view climb = "lateral_displacement";
 constexpr std::array flows{"area_error_max",
                            "mean_velocity",
                            "pseudo_shear_rate",
@@ -40,19 +41,23 @@ constexpr std::array flows{"area_error_max",
                            "curvature_radius_sites"};
 constexpr std::array stresses{"shear_number_star_traction", "shear_number_star_principal"};
 
-/// A membrane that has turned by less has not begun to tread: cells that keep to mid-channel drift
-/// by some thousandths of a turn.
-constexpr double fewest_turns = 0.02;
+template <std::size_t count>
+bool has(const std::array<const char*, count>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 /// Why a quantity may have no value.
 std::string reason_for(std::string_view name, bool rows, bool cells) {
     const auto starts = [&](std::string_view start) {
         return name.substr(0, start.size()) == start;
     };
+    const bool of_cells =
+        name == period || name == climb || has(shapes, name) || has(stresses, name);
+    if (of_cells && !cells) return "there are no cells";
     if (!rows) return "no row of the tables lies in the averaging window";
     if (name == "shear_number") return "no cells, or nothing that drives the flow";
     constexpr std::array along{"mean_velocity", "pseudo_shear_rate", "flux", "pressure_gradient"};
-    if (std::find(along.begin(), along.end(), name) != along.end())
+    if (has(along, name))
         return "channels between ports have no one direction; ports.csv has their flow";
     if (starts("mu_")) return "nothing drives the flow, nothing flows, or it goes through ports";
     if (!cells) return "there are no cells";
@@ -61,7 +66,9 @@ std::string reason_for(std::string_view name, bool rows, bool cells) {
     if (starts("cfl_")) return "there are no straight walls along the flow";
     if (name == "hematocrit_discharge") return "no mean flow carries the cells";
     if (name == "smallest_gap") return "no two cells were within the reach of contact forces";
-    if (name == "inclination_deg") return "the cells are circles, which have no long axis";
+    if (name == "inclination_deg")
+        return "the cells are circles, which have no long axis, or their long axis goes all round";
+    if (name == climb) return "no cell came along the flow by ten sites, or it goes through ports";
     return "it was not defined at any row in the averaging window";
 }
 
@@ -70,35 +77,6 @@ Json entry(double value, const std::string& unit, const std::string& reason = ""
     Json json{{"value", number(value)}, {"unit", unit}};
     if (!std::isfinite(value) && !reason.empty()) json["reason"] = reason;
     return json;
-}
-
-/// The column `name` of a table in the window: all values, the means of its looks, those of each
-/// cell where it is a table of cells.
-struct Samples {
-    std::vector<double> all, look_means;
-    std::vector<std::vector<double>> cells;
-};
-
-Samples gather(const Table& table, const std::vector<double>& column, const SummaryInput& input) {
-    Samples result;
-    const auto& time = table.column("time");
-    const std::vector<double>* const cell = table.has("cell") ? &table.column("cell") : nullptr;
-    std::vector<double> look;
-    for (std::size_t k = 0; k < column.size(); ++k) {
-        if (!input.window.holds(time[k])) continue;
-        result.all.push_back(column[k]);
-        look.push_back(column[k]);
-        if (cell) {
-            const auto number = static_cast<std::size_t>((*cell)[k]);
-            if (result.cells.size() <= number) result.cells.resize(number + 1);
-            result.cells[number].push_back(column[k]);
-        }
-        if (k + 1 == column.size() || time[k + 1] != time[k]) {
-            result.look_means.push_back(window_statistics(look).mean);
-            look.clear();
-        }
-    }
-    return result;
 }
 
 Json averaged(const std::string& name, const Samples& samples, const std::string& unit, bool cells,
@@ -121,56 +99,6 @@ Json averaged(const std::string& name, const Samples& samples, const std::string
     json["effective_samples"] = number(looks.effective_samples);
     json["correlation_time"] = number(looks.correlation_time * interval);
     json["window"] = {input.window.from.si, input.window.to.si};
-    return json;
-}
-
-/// Inclinations as if all cells were in the lower half of a channel, each within 90° of the axis
-/// they have in the mean: an axis has no head, and −89° is beside 89°.
-std::vector<double> inclinations(const Table& cells, const SummaryInput& input) {
-    std::vector<double> angles = cells.column("inclination_deg");
-    const auto& y = cells.column("y");
-    const auto& time = cells.column("time");
-    constexpr double doubled = std::numbers::pi / 90.0;
-    double sine = 0.0, cosine = 0.0;
-    for (std::size_t k = 0; k < angles.size(); ++k) {
-        angles[k] = mirrored_inclination(angles[k], y[k], input.mirror_height.si);
-        if (!input.window.holds(time[k]) || !std::isfinite(angles[k])) continue;
-        sine += std::sin(doubled * angles[k]);
-        cosine += std::cos(doubled * angles[k]);
-    }
-    const double axis = std::atan2(sine, cosine) / doubled;
-    for (double& angle : angles) angle -= 180.0 * std::round((angle - axis) / 180.0);
-    return angles;
-}
-
-/// Did the long axis stay within a quarter turn? A cell that tumbles goes all round.
-bool keeps_its_inclination(const std::vector<double>& angles) {
-    double now = 0.0, low = 0.0, high = 0.0;
-    for (std::size_t k = 1; k < angles.size(); ++k) {
-        const double step = std::remainder(angles[k] - angles[k - 1], 180.0);
-        if (std::isfinite(step)) now += step;
-        low = std::min(low, now);
-        high = std::max(high, now);
-    }
-    return high - low < 90.0;
-}
-
-/// Of each cell that treads.
-Json tank_treading(const Table& cells, const SummaryInput& input) {
-    const Samples rates = gather(cells, cells.column("phase_rate"), input);
-    const Samples angles = gather(cells, cells.column("inclination_deg"), input);
-    Samples periods;
-    for (std::size_t c = 0; c < rates.cells.size(); ++c) {
-        const double rate =
-            std::abs(window_statistics(rates.cells[c]).mean) / (2.0 * std::numbers::pi);
-        if (!(rate * input.window.length() >= fewest_turns)) continue;
-        if (!keeps_its_inclination(angles.cells[c])) continue;
-        periods.cells.push_back({std::abs(input.shear_rate.si) / rate});
-        periods.all.push_back(periods.cells.back().front());
-    }
-    Json json = averaged(std::string(period), periods, "", !rates.cells.empty(), input);
-    if (periods.all.empty() && !rates.all.empty()) json["reason"] = reason_for(period, true, true);
-    json["samples"] = periods.all.size();
     return json;
 }
 
@@ -240,7 +168,14 @@ Json summarise(const std::filesystem::path& results, const SummaryInput& input) 
     for (const std::string name : shapes)
         put(name, cells,
             name == "inclination_deg" ? inclinations(cells, input) : cells.column(name));
-    summary[std::string(period)] = tank_treading(cells, input);
+    const auto put_of_cells = [&](std::string_view name, const Samples& each) {
+        Json json = averaged(std::string(name), each, "", any, input);
+        if (each.all.empty()) json["reason"] = reason_for(name, any, any);
+        json["samples"] = each.all.size();
+        summary[std::string(name)] = json;
+    };
+    put_of_cells(period, tank_treading_periods(cells, input));
+    put_of_cells(climb, lateral_displacements(cells, input));
     for (const char* name : flows) put(name, series, series.column(name));
     if (std::filesystem::exists(results / "ports.csv")) {
         const Table ports = read_csv(results / "ports.csv");

@@ -64,8 +64,7 @@ fields_NNNNNN.csv  of the frames that hold fields: sites of the lattice, row aft
                    cytoplasm               share of cytoplasm at the site, 0 to 1
 )";
 
-}  // namespace
-
+/// Removes `before`NNNNNN`behind`, six digits or more, from a folder.
 void remove_numbered(const fs::path& folder, std::string_view before, std::string_view behind) {
     std::vector<fs::path> old;
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -79,12 +78,31 @@ void remove_numbered(const fs::path& folder, std::string_view before, std::strin
     for (const fs::path& path : old) fs::remove(path);
 }
 
+}  // namespace
+
+void begin_export(const fs::path& out, std::string_view readme,
+                  std::span<const NumberedFiles> earlier) {
+    const fs::path note = out / "README.txt";
+    const bool empty = !fs::exists(out) || (fs::is_directory(out) && fs::is_empty(out));
+    const bool ours = fs::exists(note) && read_file(note).starts_with(readme.substr(0, 32));
+    if (!empty && !ours)
+        throw IoError(
+            fmt::format("'{}' holds files of others; name another folder with -o, which "
+                        "the export makes",
+                        out.string()));
+    make_directory(out);
+    write_text(note, readme);
+    for (const NumberedFiles& files : earlier) {
+        make_directory(out / files.folder);
+        remove_numbered(out / files.folder, files.before, files.behind);
+    }
+}
+
 void export_csv(const fs::path& directory, const fs::path& out) {
     const auto opened = open_frames(directory);
     const FramesReader& frames = *opened;
-    make_directory(out);
-    remove_numbered(out, "nodes_", ".csv");
-    remove_numbered(out, "fields_", ".csv");
+    constexpr NumberedFiles earlier[] = {{"", "nodes_", ".csv"}, {"", "fields_", ".csv"}};
+    begin_export(out, csv_readme, earlier);
     std::string index = "frame,time [s],step\n";
     for (int k = 0; k < frames.count(); ++k) {
         const Frame frame = frames.frame(k);
@@ -97,7 +115,6 @@ void export_csv(const fs::path& directory, const fs::path& out) {
                        fields_table(frames.header(), frame));
     }
     write_text(out / "frames.csv", index);
-    write_text(out / "README.txt", csv_readme);
 }
 
 }  // namespace tt

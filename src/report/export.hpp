@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 namespace tt {
@@ -14,11 +15,18 @@ void export_vtk(const std::filesystem::path& directory, const std::filesystem::p
 
 /// Writes the frames as plain tables in SI: frames.csv (number, time, step), nodes_NNNNNN.csv and
 /// fields_NNNNNN.csv for each frame (if it has fields), and README.txt, which says what each column
-/// is. What an earlier export left in `out` goes. Throws IoError: no frames, cannot write.
+/// is. What an earlier export left in `out` goes. Throws IoError: no frames, cannot write, files of
+/// others in `out`.
 void export_csv(const std::filesystem::path& directory, const std::filesystem::path& out);
 
-/// Removes `before`NNNNNN`behind`, six digits or more, from a folder.
-void remove_numbered(const std::filesystem::path& folder, std::string_view before,
-                     std::string_view behind);
+/// Files folder/`before`NNNNNN`behind`, six digits or more.
+struct NumberedFiles {
+    const char *folder, *before, *behind;
+};
+
+/// Makes `out` with its README.txt, and takes away what an earlier export left. Throws IoError
+/// where it holds files of others.
+void begin_export(const std::filesystem::path& out, std::string_view readme,
+                  std::span<const NumberedFiles> earlier);
 
 }  // namespace tt

@@ -224,10 +224,8 @@ cells.pvd  one set of cells a frame (cells/cells_NNNNNN.vtp): each outline is a 
 void export_vtk(const fs::path& directory, const fs::path& out) {
     const auto opened = open_frames(directory);
     const FramesReader& frames = *opened;
-    make_directory(out / "flow");
-    make_directory(out / "cells");
-    remove_numbered(out / "flow", "flow_", ".vti");
-    remove_numbered(out / "cells", "cells_", ".vtp");
+    constexpr NumberedFiles earlier[] = {{"flow", "flow_", ".vti"}, {"cells", "cells_", ".vtp"}};
+    begin_export(out, vtk_readme, earlier);
     std::vector<PvdEntry> flow, cells;
     for (int k = 0; k < frames.count(); ++k) {
         const Frame frame = frames.frame(k);
@@ -240,7 +238,6 @@ void export_vtk(const fs::path& directory, const fs::path& out) {
     }
     write_pvd(out / "flow.pvd", flow);
     write_pvd(out / "cells.pvd", cells);
-    write_text(out / "README.txt", vtk_readme);
 }
 
 }  // namespace tt

@@ -5,6 +5,7 @@
 
 #include "report/figures.hpp"
 #include "report/frames.hpp"
+#include "report/panels.hpp"
 #include "report/places.hpp"
 
 namespace tt {
@@ -49,20 +50,6 @@ std::string matrix_text(const SpeedMap& map, double factor) {
     return text;
 }
 
-/// The loops of walls [µm]; a blank line ends each.
-std::string walls_text(const FramesHeader& grid) {
-    std::string text = "# x [um] y [um] of walls; a blank line between loops\n";
-    for (std::size_t w = 0; w + 1 < grid.wall_first.size(); ++w) {
-        const std::int32_t begin = grid.wall_first[w], end = grid.wall_first[w + 1];
-        for (std::int32_t k = begin; k <= end && begin < end; ++k) {
-            const auto at = 2 * static_cast<std::size_t>(k == end ? begin : k);
-            text += fmt::format("{:.6g} {:.6g}\n", grid.walls[at] * 1e6, grid.walls[at + 1] * 1e6);
-        }
-        text += '\n';
-    }
-    return text;
-}
-
 /// Closed outlines [µm], wrapped into the box; a cell across an end is written at both. A blank
 /// line ends each.
 std::string outlines_text(const FramesHeader& grid, const Frame& frame) {
@@ -82,67 +69,6 @@ std::string outlines_text(const FramesHeader& grid, const Frame& frame) {
     }
     return text;
 }
-
-/// Where the panels stand, in pixels of the figure.
-struct PanelGrid {
-    int columns, rows;
-    double panel_width, panel_height;
-    static constexpr double left = 54, right = 14, gap_x = 26, gap_y = 24, bottom = 88, top = 20;
-    int width() const {
-        return static_cast<int>(
-            std::ceil(left + right + columns * panel_width + (columns - 1) * gap_x));
-    }
-    int height() const {
-        return static_cast<int>(std::ceil(top + bottom + rows * panel_height + (rows - 1) * gap_y));
-    }
-};
-
-/// Long boxes one below the other at column width, square ones in two columns.
-PanelGrid panel_grid(const FramesHeader& grid, int panels) {
-    const double aspect = grid.length / grid.width;
-    PanelGrid layout{aspect < 2.0 && panels > 1 ? 2 : 1, 1, 0.0, 0.0};
-    layout.rows = (panels + layout.columns - 1) / layout.columns;
-    const double room = 340.0 * (layout.columns == 2 ? 1.2 : 1.0);
-    layout.panel_width =
-        (room - PanelGrid::left - PanelGrid::right - (layout.columns - 1) * PanelGrid::gap_x) /
-        layout.columns;
-    layout.panel_height = layout.panel_width / aspect;
-    return layout;
-}
-
-/// Commands that place panel k and keep labels only at the left and the bottom.
-std::string panel_place(const PanelGrid& layout, int k, int panels) {
-    const int row = k / layout.columns, column = k % layout.columns;
-    const double x0 = PanelGrid::left + column * (layout.panel_width + PanelGrid::gap_x);
-    const double y1 =
-        layout.height() - PanelGrid::top - row * (layout.panel_height + PanelGrid::gap_y);
-    const double w = layout.width(), h = layout.height();
-    std::string text = fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n",
-                                   x0 / w, (x0 + layout.panel_width) / w);
-    text += fmt::format("set bmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n",
-                        (y1 - layout.panel_height) / h, y1 / h);
-    const bool lowest = k + layout.columns >= panels;
-    text += lowest ? "set xlabel \"{/:Italic x} [μm]\" offset 0,0.4\nset format x \"%g\"\n"
-                   : "unset xlabel\nset format x \"\"\n";
-    text += column == 0 ? "set ylabel \"{/:Italic y} [μm]\" offset 0,0\nset format y \"%g\"\n"
-                        : "unset ylabel\nset format y \"\"\n";
-    return text;
-}
-
-/// A step of 1, 2 or 5 times a power of ten that cuts `extent` into 3 to 6 parts or so.
-double round_step(double extent) {
-    const double raw = extent / 4.0;
-    const double decade = std::pow(10.0, std::floor(std::log10(raw)));
-    const double lead = raw / decade;
-    return decade * (lead < 1.5 ? 1.0 : lead < 3.5 ? 2.0 : lead < 7.5 ? 5.0 : 10.0);
-}
-
-constexpr const char* common = R"(set multiplot
-set border 15 lw 0.6
-set tics out scale 0.4
-set palette defined (0 "#f7fbff", 0.25 "#c6dbef", 0.5 "#6baed6", 0.75 "#2d7dbb", 1 "#0b4a8f")
-unset key
-)";
 
 }  // namespace
 
@@ -179,25 +105,13 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
     }
     const bool slow = fastest < 1e-3;
     const double factor = slow ? 1e6 : 1e3;
-    std::string body = common;
-    if (layout.panel_height < 120.0) body += fmt::format("set ytics {:.3g}\n", grid.width * 0.5e6);
-    if (layout.columns > 1)
-        body += fmt::format("set xtics {:g}\nset ytics {:g}\n", round_step(grid.length * 1e6),
-                            round_step(grid.width * 1e6));
-    // The corner of the box [um].
-    const double left = grid.origin.empty() ? 0.0 : grid.origin[0] * 1e6;
-    const double low = grid.origin.empty() ? 0.0 : grid.origin[1] * 1e6;
-    const std::string place = fmt::format("($1+({:.8g})):($2+({:.8g}))", left, low);
-    body += fmt::format(
-        "set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset cbrange [0:{:.4g}]\n", left,
-        left + grid.length * 1e6, low, low + grid.width * 1e6, std::max(fastest * factor, 1e-9));
-    if (!grid.wall_first.empty()) {  // where there is no speed, in walls, the ground shows
-        write_text(out / "walls.dat", walls_text(grid));
-        body +=
-            "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb \"#8a8a8a\" fs solid "
-            "noborder\n";
-    }
-    body += places_commands(run);
+    const Vec2 corner = corner_um(grid);
+    std::string body =
+        panels_begin(run, layout, out) +
+        fmt::format(
+            "set palette defined (0 \"#f7fbff\", 0.25 \"#c6dbef\", 0.5 \"#6baed6\", 0.75 "
+            "\"#2d7dbb\", 1 \"#0b4a8f\")\nset cbrange [0:{:.4g}]\n",
+            std::max(fastest * factor, 1e-9));
     const int panels = static_cast<int>(frames.size());
     for (int k = 0; k < panels; ++k) {
         const std::string stem = fmt::format("flow_{}", k + 1);
@@ -220,27 +134,26 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
         body += fmt::format(
             "plot \"{0}_speed.dat\" matrix using "
             "({2:.8g}+({1:.8g})*($1+0.5)):({3:.8g}+({1:.8g})*($2+0.5)):3 with image",
-            stem, block, left, low);
-        if (!grid.wall_first.empty())
-            body += fmt::format(
-                ", \\\n     \"walls.dat\" using {} with lines lc rgb \"#4a4a4a\" lw 0.7", place);
+            stem, block, corner.x, corner.y);
+        body += plot_of_walls(grid);
         if (grid.first.back() > 0)
             body += fmt::format(
-                ", \\\n     \"{0}_cells.dat\" using {1} with filledcurves closed fc rgb "
+                ", \\\n     \"{0}_cells.dat\" {1} with filledcurves closed fc rgb "
                 "\"#c8372d\" fillstyle "
-                "transparent solid 0.8 noborder, \\\n     \"\" using {1} with lines lc rgb "
+                "transparent solid 0.8 noborder, \\\n     \"\" {1} with lines lc rgb "
                 "\"#5c0d08\" lw 0.7",
-                stem, place);
+                stem, from_corner(grid));
         body += "\n";
     }
     body += "unset multiplot";
-    run_gnuplot(out, "flow", body, layout.width(), layout.height());
     std::string caption = "Cells (red) and speed of the flow at chosen times.";
     if (grid.origin.empty())
         caption +=
             " Flow is along x, which is periodic: a cell that crosses an end appears at both.";
     if (!drawn_places(run).empty()) caption += " Ports are green lines, sections thin ones.";
-    drawn.push_back({"flow", caption});
+    add_figure(
+        {"flow", caption, ""},
+        [&] { run_gnuplot(out, "flow", body, layout.width(), layout.height()); }, drawn);
 }
 
 }  // namespace tt

@@ -89,8 +89,7 @@ void draw_forks(const Results& run, const std::filesystem::path& out, std::vecto
         any = any || (curve.columns.size() == 3 && std::isfinite(curve.columns[0][0]) &&
                       std::isfinite(curve.columns[1][0]));
     if (!any) return;
-    draw(figure, out);
-    drawn.push_back({figure.name, figure.caption});
+    add_figure(figure, out, drawn);
 }
 
 }  // namespace tt

@@ -94,7 +94,7 @@ void draw_velocity(std::span<const Results> runs, const fs::path& out, std::vect
         figure.commands.push_back("set key outside top center horizontal samplen 1.2");
     else
         key_below(figure, runs.size());
-    draw_if_any(figure, out, drawn);
+    add_figure(figure, out, drawn);
 }
 
 /// Shades both cell-free layers of a single run and writes their width beside them.
@@ -141,7 +141,7 @@ void draw_hematocrit(std::span<const Results> runs, const fs::path& out,
     } else {
         key_below(figure, runs.size());
     }
-    draw_if_any(figure, out, drawn);
+    add_figure(figure, out, drawn);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ LineFigure over_time(const TimePlots& plots, const std::string& name, const std:
     figure.column_names = {"time [" + plots.unit.name + "]"};
     figure.commands = {
         "set xlabel \"time [" + plots.unit.name + "]\"", "set ylabel \"" + y_label + "\"",
-        fmt::format("set xrange [0:{:.6g}]", longest_time(plots.runs) * plots.unit.per_second)};
+        fmt::format("set xrange [0:{:.7g}]", longest_time(plots.runs) * plots.unit.per_second)};
     if (!plots.single()) key_below(figure, plots.runs.size());
     const Results& run = plots.runs.front();
     if (plots.single() && run.window_end > run.window_begin)
@@ -216,7 +216,7 @@ void draw_series(std::span<const Results> runs, const fs::path& out, std::vector
     const TimePlots plots{runs, run_labels(runs), time_unit(longest_time(runs))};
     for (auto make : {stretch_figure, deformation_figure, inclination_figure, viscosity_figure,
                       layer_figure, area_figure})
-        draw_if_any(make(plots), out, drawn);
+        add_figure(make(plots), out, drawn);
 }
 
 }  // namespace tt

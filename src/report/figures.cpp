@@ -40,6 +40,7 @@ std::vector<Figure> draw_figures(std::span<const Results> runs, const std::files
     write_style(out);
     std::vector<Figure> drawn;
     if (runs.size() == 1) draw_flow(runs.front(), out, drawn);
+    if (runs.size() == 1) draw_paths(runs.front(), out, drawn);
     if (runs.size() == 1) draw_forks(runs.front(), out, drawn);
     draw_series(runs, out, drawn);
     draw_profiles(runs, out, drawn);

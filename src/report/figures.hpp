@@ -36,6 +36,7 @@ Column scaled(Column values, double factor);
 
 /// The parts of draw_figures. Each appends what it could draw.
 void draw_flow(const Results& run, const std::filesystem::path& out, std::vector<Figure>& drawn);
+void draw_paths(const Results& run, const std::filesystem::path& out, std::vector<Figure>& drawn);
 void draw_forks(const Results& run, const std::filesystem::path& out, std::vector<Figure>& drawn);
 void draw_series(std::span<const Results> runs, const std::filesystem::path& out,
                  std::vector<Figure>& drawn);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/tell.hpp"
 #include "io/file.hpp"
 #include "io/program.hpp"
 #include "report/assets.hpp"
@@ -37,21 +38,23 @@ bool has_points(const Curve& curve) {
     return false;
 }
 
-/// Runs gnuplot inside `out`; its messages go to name.log, which stays only if it fails.
-void execute(const fs::path& out, const std::string& name) {
-    const std::string log = name + ".log";
-    if (run_program({"gnuplot", name + ".gp"}, out, log) != 0)
-        throw IoError(fmt::format("gnuplot could not draw {}: {}", (out / (name + ".gp")).string(),
-                                  read_file(out / log)));
-    fs::remove(out / log);
-}
-
 /// Names come from files: whatever could end a line is a space.
 std::string one_line(std::string_view text) {
     std::string line(text);
     for (char& c : line)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
     return line;
+}
+
+/// Runs gnuplot inside `out`; its messages go to name.log, which stays only if it fails.
+void execute(const fs::path& out, const std::string& name) {
+    const std::string log = name + ".log";
+    if (run_program({"gnuplot", name + ".gp"}, out, log) != 0) {
+        const std::string said = one_line(read_file(out / log));
+        throw IoError(fmt::format("gnuplot could not draw {}{}", (out / (name + ".gp")).string(),
+                                  said.empty() ? "" : ": " + said));
+    }
+    fs::remove(out / log);
 }
 
 std::string data_text(const LineFigure& figure) {
@@ -93,11 +96,20 @@ void write_text(const fs::path& path, std::string_view text) {
 
 void write_style(const fs::path& out) { write_text(out / "style.gp", assets::figure_style); }
 
-void draw_if_any(const LineFigure& figure, const std::filesystem::path& out,
-                 std::vector<Figure>& drawn) {
-    if (!has_points(figure)) return;
-    draw(figure, out);
-    drawn.push_back({figure.name, figure.caption});
+void add_figure(Figure figure, const std::function<void()>& draw, std::vector<Figure>& drawn) {
+    try {
+        draw();
+    } catch (const IoError& error) {
+        figure.fault = error.what();
+        tell_user("tanktread: {}\n", figure.fault);
+    }
+    drawn.push_back(std::move(figure));
+}
+
+void add_figure(const LineFigure& figure, const fs::path& out, std::vector<Figure>& drawn) {
+    if (has_points(figure))
+        add_figure(
+            Figure{figure.name, figure.caption, ""}, [&] { draw(figure, out); }, drawn);
 }
 
 void run_gnuplot(const fs::path& out, const std::string& name, const std::string& body, int width,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@ namespace tt {
 struct Figure {
     std::string name;
     std::string caption;  ///< one or two sentences, also the alternative text of the page
+    std::string fault;    ///< why it could not be drawn; empty: it was
 };
 
 /// One curve: columns of numbers and how gnuplot draws them, e.g. "using 1:2 with lines linetype
@@ -46,9 +48,13 @@ std::string gnuplot_string(std::string_view text);
 /// a row of numbers are left out. Precondition: has_points(figure).
 void draw(const LineFigure& figure, const std::filesystem::path& out);
 
-/// The same, and appends it to `drawn`; nothing for a figure without points.
-void draw_if_any(const LineFigure& figure, const std::filesystem::path& out,
-                 std::vector<Figure>& drawn);
+/// Appends a figure that `draw` draws. One that cannot be drawn is told, here and in its place, and
+/// costs no other.
+void add_figure(Figure figure, const std::function<void()>& draw, std::vector<Figure>& drawn);
+
+/// The same of one pair of axes; nothing for a figure without points.
+void add_figure(const LineFigure& figure, const std::filesystem::path& out,
+                std::vector<Figure>& drawn);
 
 /// Writes name.gp, which draws `body` (the plot commands) once as PNG and once as SVG of width ×
 /// height pixels at column width (340 pixels = 86 mm; PNG at 3 times that, 300 dpi), and runs it.

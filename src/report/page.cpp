@@ -33,6 +33,9 @@ std::string link(const std::string& file, std::string_view text) {
 }
 
 std::string figure_markup(const Figure& figure, const fs::path& folder) {
+    if (!figure.fault.empty())
+        return fmt::format("<figure><figcaption>Not drawn: {}. {}</figcaption></figure>\n",
+                           html(figure.name), html(figure.fault));
     const std::string data = figure.name == "flow" ? "flow_1_speed.dat" : figure.name + ".dat";
     return fmt::format(
         "<figure><img src=\"{}\" alt=\"{}\"><figcaption>{} {} · {} · {} · "

@@ -54,14 +54,6 @@ std::vector<std::size_t> told_columns(const Table& cells) {
     return columns;
 }
 
-std::string meaning_of(const std::string& key) {
-    std::string meaning;
-    for_each_field<CellMeasures>([&](const auto& entry) {
-        if (entry.key == key) meaning = entry.meaning;
-    });
-    return meaning;
-}
-
 void append(std::string& bytes, const std::vector<float>& values) {
     const std::size_t size = bytes.size();
     bytes.resize(size + values.size() * sizeof(float));
@@ -88,7 +80,9 @@ Json cell_data(const Results& run, const std::vector<double>& frame_times,
     for (const TimeRows& row : chosen) chosen_times.push_back(rounded(row.time));
     for (const std::size_t c : columns) {
         const std::string& key = run.cells.names[c];
-        keys.push_back({{"key", key}, {"unit", run.cells.units[c]}, {"meaning", meaning_of(key)}});
+        keys.push_back({{"key", key},
+                        {"unit", run.cells.units[c]},
+                        {"meaning", meaning_of<CellMeasures>(key)}});
         for (const TimeRows& row : chosen) {
             std::vector<float> of_cells(count, std::numeric_limits<float>::quiet_NaN());
             for (std::size_t k = row.begin; k < row.end; ++k)

@@ -25,14 +25,6 @@ Json thinned(const std::vector<double>& values, std::size_t stride) {
     return list;
 }
 
-std::string meaning_of(const std::string& key) {
-    std::string meaning;
-    for_each_field<RunMeasures>([&](const auto& entry) {
-        if (entry.key == key) meaning = entry.meaning;
-    });
-    return meaning;
-}
-
 /// What of the nodes is embedded.
 struct NodeChoice {
     std::vector<int> nodes;  ///< every so-many-th of each cell
@@ -192,7 +184,7 @@ Json series_data(const Results& run, const PageLimits& limits) {
                            {"values", thinned(table.columns[c], stride)}});
     };
     for (std::size_t c = 0; c < run.series.names.size(); ++c)
-        add(run.series, c, meaning_of(run.series.names[c]));
+        add(run.series, c, meaning_of<RunMeasures>(run.series.names[c]));
     for (const Table* table : {&run.ports, &run.sections}) {  // their rows are of the same times
         if (table->rows() != rows) continue;
         for (std::size_t c = 0; c < table->names.size(); ++c)

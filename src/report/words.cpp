@@ -239,6 +239,7 @@ std::string meaning_of_quantity(const std::string& name) {
         for (const auto& [ending, words] : of_places)
             if (name.ends_with(ending)) meaning = words;
     if (name == "tank_treading_kT") meaning = "shear rate × period of tank-treading";
+    if (name == "lateral_displacement") meaning = "way across the flow / way along it";
     return meaning;
 }
 

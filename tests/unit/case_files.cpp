@@ -164,7 +164,8 @@ TEST(CaseFile, overrides_follow_the_rules_of_the_file) {
     EXPECT_EQ(c.cells.hematocrit, 0.38);
     const tt::Case two =
         tt::parse_case(channel, "case.toml", {"membrane.hardening.apply_to=[shear, area]"});
-    EXPECT_EQ(two.membrane.hardening.apply_to, (std::vector{tt::Modality::shear, tt::Modality::area}));
+    EXPECT_EQ(two.membrane.hardening.apply_to,
+              (std::vector{tt::Modality::shear, tt::Modality::area}));
     EXPECT_EQ(faults_of(channel, {"flow.pseudo_shear_rate=150"}),
               "--set flow.pseudo_shear_rate=150: pseudo_shear_rate = 150 has no unit; write "
               "pseudo_shear_rate = \"150 /s\"");

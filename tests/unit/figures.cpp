@@ -40,6 +40,28 @@ TEST(Figures, each_has_png_svg_data_and_script) {
     }
 }
 
+TEST(Figures, one_that_cannot_be_drawn_costs_no_other) {
+    std::vector<Figure> drawn;
+    add_figure(
+        {"first", "", ""}, [] { throw IoError("gnuplot could not draw first.gp"); }, drawn);
+    add_figure(
+        {"second", "", ""}, [] {}, drawn);
+    ASSERT_EQ(drawn.size(), 2u);
+    EXPECT_EQ(drawn[0].fault, "gnuplot could not draw first.gp");
+    EXPECT_EQ(drawn[1].fault, "");
+}
+
+TEST(Figures, of_a_run_with_one_number_at_its_end_are_drawn) {
+    // 200.0063 us was beyond an axis that ended at 200.006.
+    ScratchFolder scratch;
+    LineFigure figure;
+    figure.name = "late";
+    figure.commands = {"set xrange [0:200.0063]"};
+    figure.curves = {{"", "using 1:2 with points", {{0.0, 200.0063}, {std::nan(""), 1.0}}}};
+    write_style(scratch / "");
+    EXPECT_NO_THROW(draw(figure, scratch / ""));
+}
+
 TEST(Figures, several_runs_are_overlaid_with_their_names) {
     ScratchFolder scratch;
     invent_results(scratch / "first");

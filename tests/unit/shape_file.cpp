@@ -113,8 +113,7 @@ TEST_F(ShapeFile, that_is_no_cell_is_refused_by_check) {
     refused(text_of(ellipse_60) + text_of(ellipse_60), "o.csv:61:1: the outline is written twice");
     refused(text_of(ellipse(0.04, 0.03, 60)), "smaller than any cell and than dx = 0.2 um");
     refused(text_of(ellipse(50.0, 30.0, 60)), "100 um by 60 um, longer than the box");
-    const std::string told =
-        refused(text_of(ellipse(11.0, 3.0, 60)), "it does not fit");
+    const std::string told = refused(text_of(ellipse(11.0, 3.0, 60)), "it does not fit");
     EXPECT_NE(told.find("tanktread: 1 fault;"), std::string::npos) << told;
     refused("0,0\n1e8,0\n1e8,1\n1e8,2\n1e8,3\n5,3\n4,3\n0,3\n", "longer than the box");
     refused(neck(0.01, 0.29), "thinner than the grid");

@@ -15,6 +15,8 @@ namespace {
 class Summary : public TemporaryDirectory {
 protected:
     bool tumbles = false;  ///< the second cell
+    bool first_tumbles = false;
+    bool one_way = true;
     double shear_rate = 10.0;
 
     /// Two cells, one in each half of a channel, at times 0 … 4 s: λ = 1 + t/10 ± 0.05; phase rates
@@ -34,8 +36,12 @@ protected:
                 cell.cell = c;
                 cell.lambda_C = 1.0 + 0.1 * t + (c == 0 ? -0.05 : 0.05);
                 cell.phase_rate = Rate{c == 0 ? -2.0 : -4.0};
-                cell.y = Length{c == 0 ? 1.0 : 3.0};
-                cell.inclination_deg = c == 0 ? 20.0 + t : tumbles ? 20.0 - 60.0 * t : -20.0 - t;
+                cell.x = Length{2.0 * t};
+                cell.y = Length{c == 0 ? 1.0 : 3.0 + 0.2 * t};
+                const double turning = 20.0 - 60.0 * t;
+                cell.inclination_deg = c == 0    ? first_tumbles ? turning : 20.0 + t
+                                       : tumbles ? turning
+                                                 : -20.0 - t;
                 cells += csv_row(cell);
             }
         }
@@ -48,6 +54,8 @@ protected:
         input.window = {Time{2.0}, Time{4.0}};
         input.mirror_height = Length{2.0};
         input.shear_rate = Rate{shear_rate};
+        input.dx = Length{0.1};
+        input.one_way = one_way;
         input.session.steps = 1000;
         input.session.wall_seconds = 1.0;
         input.session.pass_seconds.fill(0.1);
@@ -90,6 +98,21 @@ TEST_F(Summary, a_cell_that_tumbles_or_hardly_turns_has_no_period) {
 TEST_F(Summary, the_halves_of_a_channel_are_mirrored_so_that_their_inclinations_do_not_cancel) {
     EXPECT_NEAR(summary()["inclination_deg"]["mean"].get<double>(), 23.0, 1e-12);
     EXPECT_NEAR(summary()["inclination_deg"]["sd_cells"].get<double>(), 0.0, 1e-12);
+}
+
+TEST_F(Summary, cells_that_tumble_have_no_mean_inclination) {
+    tumbles = first_tumbles = true;
+    const Json all = summary()["inclination_deg"];
+    EXPECT_TRUE(all["value"].is_null());
+    EXPECT_NE(all["reason"].get<std::string>().find("goes all round"), std::string::npos);
+}
+
+TEST_F(Summary, the_lateral_displacement_is_the_way_across_per_way_along) {
+    const Json climb = summary()["lateral_displacement"];
+    EXPECT_NEAR(climb["mean"].get<double>(), 0.05, 1e-12);  // 0 and 0.1
+    EXPECT_EQ(climb["samples"], 2);
+    one_way = false;
+    EXPECT_TRUE(summary()["lateral_displacement"]["value"].is_null());
 }
 
 TEST_F(Summary, every_entry_has_a_value_with_its_unit_or_a_reason_why_there_is_none) {

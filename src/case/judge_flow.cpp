@@ -1,0 +1,133 @@
+#include "case/judge_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/units.hpp"
+#include "case/channel_flow.hpp"
+#include "case/membrane_of.hpp"
+
+namespace tt {
+namespace {
+
+/// Of G: what a case is told to take that asks for too much. Red cells at some 500 /s.
+constexpr double usual_shear_number = 0.5;
+/// Of G, for cells whose tension does not harden: at 3 cells in shear and in a channel ran, at 10
+/// they were drawn out until their two sides met, drops too.
+constexpr double largest_unhardened = 3.0;
+/// Of U H/ν, as run: a flow between two walls becomes turbulent at some thousands, which neither
+/// two dimensions nor a few sites hold.
+constexpr double largest_reynolds = 2000.0;
+
+/// The key that asks for the flow, and what to write for one so many times as fast.
+std::pair<std::string, std::string> flow_times(const FlowCase& flow, double factor) {
+    std::pair<std::string, std::string> found;
+    const auto look = [&](const char* key, const auto& value) {
+        using Quantity = std::remove_cvref_t<decltype(*value)>;
+        if (value) found = {key, rounded_text(Quantity{factor * value->si}, 2)};
+    };
+    if (const ChannelFlow* channel = flow.channel()) {
+        look("pseudo_shear_rate", channel->pseudo_shear_rate);
+        look("mean_velocity", channel->mean_velocity);
+        look("largest_velocity", channel->largest_velocity);
+        look("flow_rate", channel->flow_rate);
+        look("wall_stress", channel->wall_stress);
+        look("pressure_gradient", channel->pressure_gradient);
+    }
+    if (flow.shear()) look("shear_rate", flow.shear()->shear_rate);
+    return found;
+}
+
+/// Shear rate, or pseudo-shear rate [1/s], that is asked for; nothing where none is, or its G.
+std::optional<double> rate_of(const Case& c) {
+    const ShearDrive* shear = c.flow.shear();
+    if (std::holds_alternative<NoDrive>(c.flow.drive) || (shear && !shear->shear_rate)) return {};
+    return std::abs((shear ? *shear->shear_rate : pseudo_shear_rate(c)).si);
+}
+
+/// Every flow is asked for by a number of its own; here all are held against one range.
+bool judge_rate(Judge& judge, const Case& c) {
+    constexpr double slowest = 1e-6, fastest = 1e6;
+    const auto asked = rate_of(c);
+    if (!asked || (*asked >= slowest && *asked <= fastest)) return true;
+    const double rate = *asked;
+    const auto [key, value] = flow_times(
+        c.flow, (rate < slowest ? 1.1 * slowest : 0.9 * fastest) / std::max(rate, 1e-300));
+    const std::string write =
+        rate == 0.0 ? "drive = \"none\" and leave " + key + " out" : key + " = \"" + value + "\"";
+    judge.tell(
+        {"flow.pseudo_shear_rate", "flow.mean_velocity", "flow.largest_velocity", "flow.flow_rate",
+         "flow.wall_stress", "flow.pressure_gradient", "flow.shear_rate"},
+        fmt::format("the flow has a {} rate of {:.4g} /s, and {} to {} /s are possible; write {}",
+                    c.flow.shear() ? "shear" : "pseudo-shear", rate, to_text(slowest),
+                    to_text(fastest), write));
+    return false;
+}
+
+/// Does tension grow much faster than stretch before a membrane is half as long again?
+bool hardens(const MembraneCase& membrane) {
+    const Hardening hardening = hardening_of(membrane.hardening);
+    return hardening.shear && hardening(1.5) > 2.0;
+}
+
+/// Cells in a flow that is so fast, or so viscous, for their membrane that no step and no grid
+/// keeps them whole. The same limit as of shear_number.
+void judge_shear_number(Judge& judge, const Case& c) {
+    const double largest = hardens(c.membrane) ? largest_shear_number : largest_unhardened;
+    const char* const why =
+        hardens(c.membrane) ? "membranes would be torn"
+                            : "cells whose tension does not harden are drawn out until they break";
+    const ShearDrive* shear = c.flow.shear();
+    if (shear && shear->shear_number && !shear->shear_rate) {
+        if (*shear->shear_number > largest)
+            judge.tell(
+                {"flow.shear_number"},
+                fmt::format("G = {} and at most {} is possible: {}; write shear_number = {}",
+                            to_text(*shear->shear_number), largest, why, usual_shear_number));
+        return;
+    }
+    const double shear_number = c.plasma.viscosity.si * rate_of(c).value_or(0.0) *
+                                equivalent_radius(c).si / c.membrane.shear_modulus.si;
+    if (shear_number <= largest) return;
+    const auto [key, value] = flow_times(c.flow, usual_shear_number / shear_number);
+    judge.tell(
+        {"flow." + key, "plasma.viscosity", "membrane.shear_modulus"},
+        fmt::format("G = mu k a / E_s is {:.3g}, and at most {} is possible: {}; look at the units "
+                    "of viscosity and shear_modulus, or write {} = \"{}\"",
+                    shear_number, largest, why, key, value));
+}
+
+/// Of a straight channel, where the width is that of the flow.
+void judge_reynolds(Judge& judge, const Case& c) {
+    const double width = c.domain.width.si, scale = c.numerics.density_scale.value_or(1.0);
+    const double physical =
+        c.plasma.density.si * rate_of(c).value_or(0.0) * width * width / c.plasma.viscosity.si;
+    if (!c.geometry.straight() || !(physical * scale > largest_reynolds)) return;
+    if (physical <= largest_reynolds) {
+        judge.tell(
+            {"numerics.density_scale"},
+            fmt::format("density_scale = {} makes the Reynolds number of the channel {:.3g}, "
+                        "and beyond {:g} a flow is turbulent; write density_scale = {:.2g}, "
+                        "or leave it out",
+                        to_text(scale), physical * scale, largest_reynolds,
+                        std::max(1.0, 0.05 * largest_reynolds / physical)));
+        return;
+    }
+    const auto [key, value] = flow_times(c.flow, 0.05 * largest_reynolds / (physical * scale));
+    judge.tell({"flow." + key, "plasma.viscosity"},
+               fmt::format("the Reynolds number rho U H / mu is {:.3g}, and beyond {:g} a flow is "
+                           "turbulent, which two dimensions do not hold; look at the units, or "
+                           "write {} = \"{}\"",
+                           physical * scale, largest_reynolds, key, value));
+}
+
+}  // namespace
+
+void judge_flow(Judge& judge, const Case& c, bool with_cells) {
+    if (!judge_rate(judge, c)) return;
+    judge_reynolds(judge, c);
+    if (with_cells) judge_shear_number(judge, c);
+}
+
+}  // namespace tt
