@@ -47,6 +47,9 @@ std::string fields_table(const FramesHeader& header, const Frame& frame) {
     return fmt::to_string(text);
 }
 
+/// How every README.txt of an export begins.
+constexpr std::string_view our_readme = "Frames of a tanktread run";
+
 constexpr const char* csv_readme = R"(Frames of a tanktread run as plain tables, SI units.
 
 frames.csv         frame   number that the other files carry
@@ -84,7 +87,7 @@ void begin_export(const fs::path& out, std::string_view readme,
                   std::span<const NumberedFiles> earlier) {
     const fs::path note = out / "README.txt";
     const bool empty = !fs::exists(out) || (fs::is_directory(out) && fs::is_empty(out));
-    const bool ours = fs::exists(note) && read_file(note).starts_with(readme.substr(0, 32));
+    const bool ours = fs::exists(note) && read_file(note).starts_with(our_readme);
     if (!empty && !ours)
         throw IoError(
             fmt::format("'{}' holds files of others; name another folder with -o, which "

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <numbers>
 #include <regex>
 #include <span>
@@ -246,6 +247,20 @@ TEST(Csv, last_line_that_is_still_being_written_is_left_out) {
     ScratchFolder scratch;
     std::ofstream(scratch / "t.csv") << "time [s],x,y\n0,1,2\n1,2";
     EXPECT_EQ(read_csv(scratch / "t.csv").rows(), 1u);
+}
+
+TEST(Export, leaves_folders_of_others_alone_and_renews_its_own) {
+    ScratchFolder scratch;
+    invent_results(scratch / "run");
+    fs::create_directories(scratch / "mine");
+    std::ofstream(scratch / "mine" / "nodes_000099.csv") << "mine";
+    EXPECT_THROW(export_csv(scratch / "run", scratch / "mine"), IoError);
+    EXPECT_THROW(export_vtk(scratch / "run", scratch / "mine"), IoError);
+    EXPECT_EQ(text_of(scratch / "mine" / "nodes_000099.csv"), "mine");
+    export_csv(scratch / "run", scratch / "csv");
+    std::ofstream(scratch / "csv" / "nodes_000099.csv") << "of a longer run";
+    export_csv(scratch / "run", scratch / "csv");
+    EXPECT_FALSE(fs::exists(scratch / "csv" / "nodes_000099.csv"));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "case/initial_state.hpp"
 #include "case/read.hpp"
 #include "exchange/periodic.hpp"
+#include "faults_of.hpp"
 #include "observe/cell_measures.hpp"
 #include "observe/run_measures.hpp"
 #include "observe/snapshot.hpp"
@@ -114,6 +115,27 @@ TEST(FlowKeys, what_is_judged_does_not_depend_on_the_direction) {
     EXPECT_EQ(left.transits, right.transits);
     EXPECT_EQ(left.channel_reynolds, right.channel_reynolds);
     EXPECT_EQ(left.advice.size(), right.advice.size());
+}
+
+TEST(FlowKeys, flows_that_no_run_survives_are_refused_with_one_that_it_does) {
+    const auto told = [](std::vector<std::string> set) {
+        return faults_of([&] { read_case(channel, set); });
+    };
+    const auto follows = [&](std::vector<std::string> set, const std::string& advice,
+                             const std::string& cure) {
+        const std::string all = told(set);
+        EXPECT_NE(all.find(advice), std::string::npos) << all;
+        set.push_back(cure);
+        EXPECT_EQ(told(set), "");
+    };
+    follows({"flow.pseudo_shear_rate=2e5 /s", "membrane.hardening.apply_to=[]"},
+            "at most 3 is possible", "flow.pseudo_shear_rate=500 /s");
+    follows({"membrane.law=surface-tension"}, "write apply_to = []",
+            "membrane.hardening.apply_to=[]");
+    follows({"flow.pseudo_shear_rate=1e5 /s", "plasma.viscosity=0.01 cP"}, "turbulent",
+            "flow.pseudo_shear_rate=500 /s");
+    follows({"flow.pseudo_shear_rate=2000 /s", "numerics.density_scale=10000"},
+            "write density_scale = ", "numerics.density_scale=100");
 }
 
 }  // namespace

@@ -67,7 +67,21 @@ TEST_F(Messages, progress_as_json_is_nothing_else) {
         if (time == 0) {
             EXPECT_GE(count, 2);
         }
+        EXPECT_NE(outcome.err.find("\"checks\""), std::string::npos) << outcome.err;
     }
+    words.insert(words.end(), {"--set", "domain.width=20 s"});
+    const Outcome refused = run(words);
+    EXPECT_EQ(refused.code, 2);
+    std::istringstream lines(refused.err);
+    for (std::string line; std::getline(lines, line);) EXPECT_TRUE(Json::accept(line)) << line;
+}
+
+TEST_F(Messages, a_value_of_set_may_be_quoted_whatever_its_letters) {
+    for (const std::string value : {"20 \xc3\xa4m", "\"20 \xc3\xa4m\""})
+        EXPECT_NE(run({"check", plasma, "--set", "domain.width=" + value})
+                      .err.find("'\xc3\xa4' is not expected in a unit"),
+                  std::string::npos)
+            << value;
 }
 
 TEST_F(Messages, without_gnuplot_a_report_has_all_but_its_figures) {

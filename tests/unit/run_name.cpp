@@ -38,6 +38,8 @@ TEST(RunName, one_that_leaves_results_or_no_disk_can_hold_is_refused_with_one_th
     EXPECT_EQ(faults_of("name = \"../up\"\n" + rest),
               "case.toml:1:1: name may hold letters of ASCII, digits, spaces and marks, but no "
               "'/' and no '\\'; write name = \"run.__up\"");
+    EXPECT_EQ(name_from("\xc3\xa9"), "run");
+    EXPECT_EQ(name_from("caf\xc3\xa9"), "caf_");
     for (const char* name : {"channel-500-LD", "G=0.2, x2", "_", "7", "a.b <i> & 'c'"}) {
         EXPECT_FALSE(fault_of_name(name)) << name;
         EXPECT_EQ(name_from(name), name);
