@@ -18,15 +18,16 @@ HARDENED = {"neo-Hookean": "[]", "2D-LD": '["shear", "bending", "area", "contact
 NOODLE = 2.0  # lambda_C beyond which a cell is one, as in studies/profiles
 WAY = 170.0  # um: past the fork; the middle line is 170 um long
 BEHIND = 95.0  # um: x of a cell that has left the corner behind; near the port forces fade
-#        mean velocity of the parent [mm/s], start above the middle line [um], dx [um]
-SPEEDS = ((1, 0.5, 0.4), (3, 0.5, 0.4), (10, 0.5, 0.4))
-CHECKS = ((3, 2.0, 0.4), (3, 0.5, 0.25))
+#        mean velocity of the parent [mm/s], start above the middle line [um], dx [um], density scale
+SPEEDS = ((1, 0.5, 0.4, "auto"), (3, 0.5, 0.4, "auto"), (10, 0.5, 0.4, "auto"))
+CHECKS = ((3, 2.0, 0.4, "auto"), (3, 0.5, 0.25, "auto"), (3, 0.5, 0.4, 10))
 PLAN = [(law, *rest) for rest in SPEEDS + CHECKS for law in HARDENED]
 
 
 def describe(item):
-    law, speed, start, dx = item
-    return f"{law}-{speed}-from{start}-dx{dx}", {
+    law, speed, start, dx, scale = item
+    return f"{law}-{speed}-from{start}-dx{dx}" + f"-S{scale}" * (scale != "auto"), {
+        **({} if scale == "auto" else {"numerics.density_scale": scale}),
         "membrane.hardening.apply_to": HARDENED[law], "port.inlet.mean_velocity": f"{speed} mm/s",
         "cells.positions": f'[["20 um", "{start} um"]]', "numerics.dx": f"{dx} um", "time.end": f"{WAY / speed:.3g} ms",
         "output.series": f"{1.0 / speed:.3g} ms", "output.frames": f"{3.0 / speed:.3g} ms"}
@@ -34,12 +35,12 @@ def describe(item):
 
 def measure(item, directory):
     """Until the cell is past the corner; of a run that became unstable, up to there."""
-    law, speed, start, dx = item
+    law, speed, start, dx, scale = item
     cells = Results(directory).cells
     end = cells["time"][-1]
     cells = cells.where(1e6 * cells["x"] < BEHIND)
     longest = int(np.argmax(cells["lambda_C"]))
-    return {"law": law, "speed_mm_per_s": speed, "start_um": start, "dx_um": dx, "ending": status_of(directory),
+    return {"law": law, "speed_mm_per_s": speed, "start_um": start, "dx_um": dx, "density_scale": scale, "ending": status_of(directory),
             "lambda_C_max": round(float(cells["lambda_C"][longest]), 3), "at_ms": round(1e3 * float(cells["time"][longest]), 2),
             "x_um": round(1e6 * float(cells["x"][longest]), 1), "y_um": round(1e6 * float(cells["y"][longest]), 1),
             "stretch_max": round(float(cells["stretch_max"].max()), 3), "end_ms": round(1e3 * float(end), 2),
@@ -106,7 +107,8 @@ def verdict(rows):
 if __name__ == "__main__":
     sweep = Sweep(__file__, __doc__, quick={"numerics.dx": "1 um", "cells.positions": '[["55 um", "0.5 um"]]', "time.end": "2 ms",
                                             "output.series": "0.2 ms", "output.frames": "0.2 ms"})
-    rows = sweep.tabulate(PLAN, describe, lambda item, _: measure(item, sweep.given.out / describe(item)[0]))
+    plan = PLAN[:2 * len(SPEEDS)] if sweep.is_quick else PLAN
+    rows = sweep.tabulate(plan, describe, lambda item, _: measure(item, sweep.given.out / describe(item)[0]))
     figure(sweep)
     (sweep.tables / "verdict.md").write_text(verdict(rows))
     print(verdict(rows), end="")
