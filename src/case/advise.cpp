@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "base/units.hpp"
+#include "membrane/stability.hpp"
 #include "case/contact_at_start.hpp"
 #include "case/membrane_of.hpp"
 #include "case/plausibility.hpp"
@@ -52,7 +53,9 @@ void advise_on_step(const Case& c, const Choice& choice, const Appraisal& a, Adv
                 "\"{}\" in "
                 "[membrane], or leave it out.",
                 rounded_text(choice.area_stiffness, 3),
-                rounded_text(Pressure{0.9 * b.margin() * choice.area_stiffness.si}, 2));
+                rounded_text(Pressure{safe_area_step_number(a.radius_sites) / b.limit * b.margin() *
+                                      choice.area_stiffness.si},
+                             2));
     if (a.mach > largest_mach && a.mach <= mach_limit)
         adviser.consider(
             "Mach number {:.2g}: errors of compressibility of about {:.1f} %; halving dt quarters "

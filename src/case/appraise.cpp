@@ -125,7 +125,7 @@ void bound(const Choice& choice, const Model& model, Appraisal& a) {
     a.bounds.push_back({"area pressure",
                         area_step_number(area_stiffness(membrane, cell_stretch),
                                          model.viscosity.plasma, choice.relaxation_time, 1.0),
-                        area_step_limit(a.radius_sites),
+                        area_step_limit,
                         fmt::format("k_p (tau-1/2) dt/mu at {:.3g}", cell_stretch)});
 }
 

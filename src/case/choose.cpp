@@ -15,6 +15,7 @@
 #include "case/membrane_of.hpp"
 #include "case/sections.hpp"
 #include "case/walls_of.hpp"
+#include "membrane/stability.hpp"
 
 namespace tt {
 namespace {
@@ -168,8 +169,7 @@ Pressure choose_area_stiffness(const Case& c, const Choice& choice) {
     const Hardening hardening = hardening_of(c.membrane.hardening);
     const double alpha =
         hardening.area ? hardening(expected_cell_stretch(choice.expected_stretch)) : 1.0;
-    const double number =
-        auto_area_share * area_step_limit(equivalent_radius(c).si / choice.dx.si) / alpha;
+    const double number = safe_area_step_number(equivalent_radius(c).si / choice.dx.si) / alpha;
     return Pressure{std::min(1e4, std::min(5.0, number) * fluid)};
 }
 

@@ -27,14 +27,13 @@ struct StepLimit {
 /// A third of the limit of stability: cells make the flow faster here and there.
 inline constexpr double auto_mach = 0.1;
 
-/// Half of the limit of stability, in units of T' Δt/(μ Δx), E_b Δt/(μ Δx³) and k_p α (τ − ½) Δt/μ;
+/// Half of the limit of stability, in units of T' Δt/(μ Δx), E_b Δt/(μ Δx³);
 /// where τ is larger, five sixths of that of (τ − ½) T' Δt/(μ Δx). With implicit tension two
 /// thirds.
 inline constexpr double auto_tension_step_number = 0.6;
 inline constexpr double auto_late_tension_step_number = 1.0;
 inline constexpr double auto_implicit_tension_step_number = 2.5;
 inline constexpr double auto_bending_step_number = 0.75;
-inline constexpr double auto_area_share = 2.0 / 3.0;
 
 /// Length of the cells that a case describes: radius of the circle of the stress-free area.
 Length equivalent_radius(const Case& c);

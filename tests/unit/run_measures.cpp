@@ -105,6 +105,7 @@ TEST(RunMeasures, hematocrit_in_plug_flow_is_the_same_in_tube_and_discharge) {
     scene.model.lattice.walls = true;
     scene.set_velocity([](Vec2) { return Vec2{0.01, 0.0}; });
     scene.model.boundaries = {0.01, 0.01, 0.0};  // walls move along: no shear anywhere
+    scene.model.shear_rate = 1e-3;               // something drives the flow
     scene.add(Ellipse{{20, 20}, 10, 8, 0.3}.nodes(64));
     scene.add(Ellipse{{60, 38}, 12, 6, -0.2}.nodes(64));
     scene.set_node_velocity([](Vec2) { return Vec2{0.01, 0.0}; });
@@ -118,8 +119,12 @@ TEST(RunMeasures, a_cell_in_mid_channel_runs_ahead_so_discharge_exceeds_tube_hem
     Scene scene = channel();
     scene.add(Ellipse{{20, 30}, 10, 10, 0.0}.nodes(64));
     scene.set_node_velocity([](Vec2) { return poiseuille({0, 30}); });
+    scene.model.shear_rate = 1e-3;
     const RunMeasures m = measured(scene);
     EXPECT_NEAR(m.hematocrit_discharge / m.hematocrit_tube, 1.5, 1e-12);
+    // Where nothing drives the flow, what moves is the cells' own doing.
+    scene.model.shear_rate = 0.0;
+    EXPECT_TRUE(std::isnan(measured(scene).hematocrit_discharge));
 }
 
 /// Two discs in a channel of 60: bottom of the lower one at 12, top of the higher one at 52.
