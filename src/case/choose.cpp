@@ -169,7 +169,8 @@ Pressure choose_area_stiffness(const Case& c, const Choice& choice) {
     const Hardening hardening = hardening_of(c.membrane.hardening);
     const double alpha =
         hardening.area ? hardening(expected_cell_stretch(choice.expected_stretch)) : 1.0;
-    const double number = safe_area_step_number(equivalent_radius(c).si / choice.dx.si) / alpha;
+    const double radius = equivalent_radius(c).si / choice.dx.si;
+    const double number = safe_area_step_number(c.membrane.hold_area ? HUGE_VAL : radius) / alpha;
     return Pressure{std::min(1e4, std::min(5.0, number) * fluid)};
 }
 
