@@ -57,7 +57,7 @@ void tell_next(const RunRequest& request, const std::string& next,
     if (request.progress != ProgressMode::json)
         tell_user("{}\n{}", next, describe_checks(checks));
     else if (!checks.empty())
-        std::fputs((Json{{"checks", to_json(checks)}}.dump() + '\n').c_str(), stderr);
+        write_plainly(Json{{"checks", to_json(checks)}}.dump() + '\n');
 }
 
 int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
@@ -84,7 +84,6 @@ int tell_outcome(const RunOutcome& outcome, const RunRequest& request) {
 }
 
 int run(const RunOptions& options, const std::string& command_line) {
-    const ProgressMode progress = progress_mode(options.progress);
     const GivenCase given = read_given_case(options.given);
     const Case& c = given.c;
     const Choice choice = choose(c);
@@ -98,7 +97,7 @@ int run(const RunOptions& options, const std::string& command_line) {
     request.case_toml =
         options.case_as_given.empty() ? given.text : read_file(options.case_as_given);
     request.command_line = command_line;
-    request.progress = progress;
+    request.progress = progress_mode(options.progress);
     request.start = options.fresh ? Start::fresh : Start::resume;
     if (options.max_time) request.max_time = parse_duration("--max-time", *options.max_time);
     if (options.until) {

@@ -1,5 +1,6 @@
 #include "app/run_request.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,15 +57,15 @@ const std::vector<std::pair<std::string, ProgressMode>>& progress_modes() {
 void add_progress_option(CLI::App& verb, std::string& word) {
     std::vector<OptionWord> words;
     for (const auto& [name, mode] : progress_modes()) words.push_back({name, ""});
-    add_choice(verb, "--progress", word, words);
+    add_choice(verb, "--progress", word, words)->each([](const std::string& chosen) {
+        if (progress_mode(chosen) == ProgressMode::json) write_messages_as_json();
+    });
 }
 
 ProgressMode progress_mode(const std::string& word) {
-    const auto mode = std::find_if(progress_modes().begin(), progress_modes().end(),
-                                   [&](const auto& known) { return known.first == word; })
-                          ->second;
-    if (mode == ProgressMode::json) write_messages_as_json();
-    return mode;
+    return std::find_if(progress_modes().begin(), progress_modes().end(),
+                        [&](const auto& mode) { return mode.first == word; })
+        ->second;
 }
 
 }  // namespace tt

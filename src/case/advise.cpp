@@ -9,11 +9,11 @@
 #include <variant>
 
 #include "base/units.hpp"
-#include "membrane/stability.hpp"
 #include "case/contact_at_start.hpp"
 #include "case/membrane_of.hpp"
 #include "case/plausibility.hpp"
 #include "membrane/outline_checks.hpp"
+#include "membrane/stability.hpp"
 
 namespace tt {
 namespace {

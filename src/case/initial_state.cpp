@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -171,10 +173,9 @@ void refuse_bad_placements(const Model& m, const Suspension& cells) {
 
 void refuse_overlaps(const Model& m, const Suspension& cells) {
     std::vector<Fault> faults;
-    std::vector<bool> told(cells.cell_count(), false);
+    std::set<std::pair<int, int>> told;
     for (const Overlap& overlap : find_overlaps(m.lattice, cells)) {
-        if (told[overlap.cell] || told[overlap.other]) continue;
-        told[overlap.cell] = told[overlap.other] = true;
+        if (!told.insert(std::minmax(overlap.cell, overlap.other)).second) continue;
         if (overlap.cell == overlap.other) {
             faults.push_back({"", 0, 0,
                               fmt::format("[cells] cell {} is longer than the box, {:.3g} um, and "

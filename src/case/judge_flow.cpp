@@ -2,19 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <type_traits>
 #include <utility>
+#include <variant>
+
+#include <fmt/format.h>
 
 #include "base/units.hpp"
 #include "case/channel_flow.hpp"
 #include "case/membrane_of.hpp"
+#include "case/step_limits.hpp"
 
 namespace tt {
 namespace {
 
 /// Of G: what a case is told to take that asks for too much. Red cells at some 500 /s.
 constexpr double usual_shear_number = 0.5;
-/// Of G, for cells whose tension does not harden: at 3 cells in shear and in a channel ran, at 10
-/// they were drawn out until their two sides met, drops too.
+/// Of G, for cells whose tension does not harden, drops too: in shear they ran at 3, and at 10 were
+/// drawn out until their two sides met. In a channel they ran at 1.5; at 3 the same came late.
 constexpr double largest_unhardened = 3.0;
 /// Of U H/ν, as run: a flow between two walls becomes turbulent at some thousands, which neither
 /// two dimensions nor a few sites hold.
@@ -46,7 +53,8 @@ std::optional<double> rate_of(const Case& c) {
     return std::abs((shear ? *shear->shear_rate : pseudo_shear_rate(c)).si);
 }
 
-/// Every flow is asked for by a number of its own; here all are held against one range.
+/// Every flow is asked for by a number of its own; here all are held against one range. False where
+/// it was left.
 bool judge_rate(Judge& judge, const Case& c) {
     constexpr double slowest = 1e-6, fastest = 1e6;
     const auto asked = rate_of(c);
@@ -108,7 +116,7 @@ void judge_reynolds(Judge& judge, const Case& c) {
         judge.tell(
             {"numerics.density_scale"},
             fmt::format("density_scale = {} makes the Reynolds number of the channel {:.3g}, "
-                        "and beyond {:g} a flow is turbulent; write density_scale = {:.2g}, "
+                        "and beyond {:g} a flow is turbulent; write density_scale = {:.0f}, "
                         "or leave it out",
                         to_text(scale), physical * scale, largest_reynolds,
                         std::max(1.0, 0.05 * largest_reynolds / physical)));

@@ -67,12 +67,11 @@ std::vector<Usual> numbers_of_cells(const Case& c, const Appraisal& a) {
 }
 
 std::vector<Usual> numbers_of_output(const Case& c, const Appraisal& a) {
-    std::vector<Usual> list{
+    return {
         {"the number of frames", static_cast<double>(a.frames), 0.0, 5000.0, Dimension{}},
         {"the disk needed [GB]", 1e-9 * static_cast<double>(a.disk_bytes), 0.0, 20.0, Dimension{}},
         {"the number of steps", static_cast<double>(a.steps), 0.0, 1e9, Dimension{}},
         {"output.checkpoint", c.output.checkpoint.si, 0.0, 86400.0, Time::dimension}};
-    return list;
 }
 
 void tell_unusual(const std::vector<Usual>& list, std::vector<Advice>& advice) {

@@ -27,7 +27,7 @@ struct StepLimit {
 /// A third of the limit of stability: cells make the flow faster here and there.
 inline constexpr double auto_mach = 0.1;
 
-/// Half of the limit of stability, in units of T' Δt/(μ Δx), E_b Δt/(μ Δx³);
+/// Half of the limit of stability, in units of T' Δt/(μ Δx) and E_b Δt/(μ Δx³);
 /// where τ is larger, five sixths of that of (τ − ½) T' Δt/(μ Δx). With implicit tension two
 /// thirds.
 inline constexpr double auto_tension_step_number = 0.6;

@@ -5,8 +5,8 @@
 #include <tuple>
 #include <vector>
 
-#include "case/reader.hpp"
 #include "base/undefined.hpp"
+#include "case/reader.hpp"
 #include "case/targets.hpp"
 
 namespace tt {

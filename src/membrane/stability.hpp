@@ -61,8 +61,8 @@ constexpr double area_step_number(double stiffness, double viscosity, double rel
 }
 inline constexpr double area_step_limit = 30.0;
 
-/// So of cells with a radius of 13 sites and more. Of 5.4 sites 5 and 8 ran, 10 and 16 blew up in
-/// shear: the same pressure changes the area of a small cell by more. What is surely stable.
+/// Two thirds of it, for cells of this radius [sites]: less below 13, as the same pressure changes
+/// the area of a small cell by more. Of 5.4 sites, in shear, 5 and 8 ran, 10 and 16 blew up.
 constexpr double safe_area_step_number(double radius) {
     constexpr double large = 13.0;
     const double share = radius < large ? radius / large : 1.0;

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <variant>
 
-#include "base/undefined.hpp"
 #include "base/parallel.hpp"
+#include "base/undefined.hpp"
 #include "observe/membrane_stress.hpp"
 
 namespace tt {

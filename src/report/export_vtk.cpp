@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "io/file.hpp"
 #include "base/undefined.hpp"
+#include "io/file.hpp"
 #include "io/vtk.hpp"
 #include "membrane/outline.hpp"
 #include "report/export.hpp"

@@ -112,6 +112,10 @@ void draw_flow(const Results& run, const fs::path& out, std::vector<Figure>& dra
             "set palette defined (0 \"#f7fbff\", 0.25 \"#c6dbef\", 0.5 \"#6baed6\", 0.75 "
             "\"#2d7dbb\", 1 \"#0b4a8f\")\nset cbrange [0:{:.4g}]\n",
             std::max(fastest * factor, 1e-9));
+    if (!grid.wall_first.empty())  // where there is no speed, in walls, the ground shows
+        body +=
+            "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb \"#8a8a8a\" fs solid "
+            "noborder\n";
     const int panels = static_cast<int>(frames.size());
     for (int k = 0; k < panels; ++k) {
         const std::string stem = fmt::format("flow_{}", k + 1);

@@ -55,10 +55,11 @@ void draw_paths(const Results& run, const std::filesystem::path& out, std::vecto
     const FramesHeader& grid = run.frames->header();
     const auto places = places_of_cells(run);
     if (places.empty()) return;
-    const PanelGrid layout = panel_grid(grid, 1);
+    PanelGrid layout = panel_grid(grid, 1);
+    layout.bottom = 48;  // no bar
     write_text(out / "paths.dat", paths_text(grid, places));
     std::string body = panels_begin(run, layout, out) + panel_place(layout, 0, 1);
-    body += "plot \"paths.dat\" " + from_corner(grid) + ":3 with lines lc variable lw 0.8" +
+    body += "plot \"paths.dat\" " + from_corner(grid) + ":3 with lines lc variable lw 1.2" +
             plot_of_walls(grid) + "\nunset multiplot";
     const std::string caption =
         "Paths of the middle of each cell, from its start to the end of the run or to the port "

@@ -97,12 +97,7 @@ std::string panels_begin(const Results& run, const PanelGrid& layout,
     const Vec2 corner = corner_um(grid);
     body += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", corner.x,
                         corner.x + grid.length * 1e6, corner.y, corner.y + grid.width * 1e6);
-    if (!grid.wall_first.empty()) {  // where nothing is drawn, in walls, the ground shows
-        write_text(out / "walls.dat", walls_text(grid));
-        body +=
-            "set object 1 rectangle from graph 0,0 to graph 1,1 behind fc rgb \"#8a8a8a\" fs solid "
-            "noborder\n";
-    }
+    if (!grid.wall_first.empty()) write_text(out / "walls.dat", walls_text(grid));
     return body + places_commands(run);
 }
 

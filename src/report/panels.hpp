@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "base/vec2.hpp"
 #include "report/results.hpp"
 
 namespace tt {
@@ -11,7 +12,8 @@ namespace tt {
 struct PanelGrid {
     int columns, rows;
     double panel_width, panel_height;
-    static constexpr double left = 54, right = 14, gap_x = 26, gap_y = 24, bottom = 88, top = 20;
+    static constexpr double left = 54, right = 14, gap_x = 26, gap_y = 24, top = 20;
+    double bottom = 88;  ///< with room for a bar of colours
     int width() const {
         return static_cast<int>(
             std::ceil(left + right + columns * panel_width + (columns - 1) * gap_x));

@@ -100,8 +100,8 @@ def verdict(rows):
     at = {law: [f"{row['speed_mm_per_s']} mm/s" for row in rows[:2 * len(SPEEDS)] if row["law"] == law and row["lambda_C_max"] > NOODLE]
           for law in HARDENED}
     shown = bool(at["neo-Hookean"]) and most["2D-LD"] < NOODLE
-    return (f"{'shown' if shown else 'not shown'}: beyond λ_C = {NOODLE:g} are "
-            + "; ".join(f"{law} cells at {', '.join(at[law]) or 'no speed'} (longest {most[law]:.2f})" for law in HARDENED) + "\n")
+    return (f"{'shown' if shown else 'not shown'}. Beyond λ_C = {NOODLE:g} are "
+            + ". ".join(f"{law} cells at {', '.join(at[law]) or 'no speed'} (longest {most[law]:.2f})" for law in HARDENED) + ".\n")
 
 
 if __name__ == "__main__":

@@ -86,7 +86,7 @@ def verdict(rows):
     grid = max(abs(fine["share"] - row["share"]) for fine in rows[len(coarse):] for row in coarse if sizes(row) == sizes(fine)
                and row["shape"] == fine["shape"] and row["angles_deg"] == fine["angles_deg"])
     return (f"{'holds' if worst['long'] < 0.01 else 'does not hold'}: the share is within {worst['long']:.4f} of the law in the {len(long)} "
-            f"forks whose daughters are ten widths long or longer, within {worst['short']:.4f} in the {len(short)} shorter ones. With one "
+            f"forks with daughters of ten widths and more. It is within {worst['short']:.4f} in the {len(short)} shorter ones. With one "
             f"end length for all, {end:+.2f} widths a daughter, within {left:.4f}. Half the spacing moves a share by up to {grid:.4f}.\n")
 
 

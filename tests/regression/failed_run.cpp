@@ -198,7 +198,8 @@ TEST_F(FailedRun, runs_to_its_end_with_what_it_advises) {
     const char* const asked = std::getenv("TANKTREAD_FAILURES");
     const int wanted = asked ? std::atoi(asked) : 2;
     Random random(2014);
-    for (int failures = 0; failures < wanted;) {
+    int failures = 0;
+    for (int tried = 0; failures < wanted && tried < 50 * wanted; ++tried) {
         std::vector<std::string> words = random_settings(random);
         words.push_back("--fresh");
         if (run_verb("run", words).code != 3) continue;
@@ -209,6 +210,7 @@ TEST_F(FailedRun, runs_to_its_end_with_what_it_advises) {
         words.insert(words.end(), advised.begin(), advised.end());
         EXPECT_EQ(run_verb("run", words).code, 0) << fmt::format("{}", fmt::join(words, " "));
     }
+    EXPECT_EQ(failures, wanted) << "runs that blew up";
 }
 
 }  // namespace
