@@ -17,7 +17,7 @@ struct Scene {
         model.lattice = lattice;
         model.scales = {2e-7, 1e-6, 1025.0 * 8e-21};
         model.viscosity.plasma = 1.0 / 6.0;
-        model.membrane.in_plane = NeoHookean{0.01};
+        model.kinds[0].membrane.in_plane = NeoHookean{0.01};
         state.sites = Sites<double>(lattice);
         sites().relaxation.even.fill(even_rate(model.viscosity.plasma));
     }

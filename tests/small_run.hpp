@@ -32,11 +32,12 @@ inline Model small_model() {
     model.scales = Scales{5e-7, 1e-6, 1025.0 * 1.25e-19};
     model.boundaries = Boundaries{-0.02, 0.02, 0.0};
     model.viscosity.plasma = 0.3;
-    model.viscosity.cytoplasm = 0.6;
-    model.jump = jump_correction(model.delta, model.viscosity);
-    model.membrane.in_plane = NeoHookean{2e-3};
-    model.membrane.area_stiffness = 0.02;
-    model.membrane.hold_area = true;
+    model.viscosity.cytoplasm = {0.6};
+    model.kinds[0].jump =
+        jump_correction(model.delta, model.viscosity.plasma, model.viscosity.cytoplasm[0]);
+    model.kinds[0].membrane.in_plane = NeoHookean{2e-3};
+    model.kinds[0].membrane.area_stiffness = 0.02;
+    model.kinds[0].membrane.hold_area = true;
     model.shear_rate = 0.04 / 24;
     return model;
 }

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "app/option_values.hpp"
+#include "case/kinds.hpp"
 #include "app/verb.hpp"
 #include "base/error.hpp"
 #include "base/memory.hpp"
@@ -66,7 +67,7 @@ void add_threads_option(CLI::App& verb, int& threads) {
 
 std::int64_t expected_nodes(const Case& c, const Choice& choice) {
     if (c.numerics.fluid_only) return 0;
-    const double radius = equivalent_radius(c).si, dx = choice.dx.si;
+    const double radius = largest_cell_radius(c).si, dx = choice.dx.si;
     const double box = choice.nx * dx * choice.ny * dx;
     const auto* layout = std::get_if<AtPositions>(&c.cells.layout);
     const auto count =
@@ -74,7 +75,8 @@ std::int64_t expected_nodes(const Case& c, const Choice& choice) {
     const double cells = c.cells.hematocrit
                              ? *c.cells.hematocrit * box / (std::numbers::pi * radius * radius)
                              : static_cast<double>(count);
-    return std::llround(cells * 2.0 * std::numbers::pi * radius / (choice.node_spacing * dx));
+    return std::llround(cells * 2.0 * std::numbers::pi * radius /
+                        (choice.kinds.front().node_spacing * dx));
 }
 
 ThreadChoice choose_threads(int asked, const Case& c, const Choice& choice) {

@@ -54,7 +54,7 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
     j["relaxation_time_plasma"] = a.tau_plasma;
     j["relaxation_time_largest"] = a.tau_cytoplasm;
     j["density_scale"] = choice.density_scale;
-    j["area_stiffness_Pa"] = choice.area_stiffness.si;
+    j["area_stiffness_Pa"] = choice.kinds[0].area_stiffness.si;
     j["shear_rate_per_s"] = choice.shear_rate.si;
     j["shear_number"] = a.shear_number;
     j["reynolds_cell"] = a.cell_reynolds;
@@ -65,7 +65,7 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
     j["precision"] = word_of(choice.precision);
     j["step_tolerance"] = c.numerics.step_tolerance;
     j["expected_change"] = choice.expected_change();
-    j["expected_stretch"] = choice.expected_stretch;
+    j["expected_stretch"] = choice.kinds[0].expected_stretch;
     for (const StepLimit& l : choice.limits)
         j["step_limits"].push_back({{"name", l.name},
                                     {"dt_s", l.step.si},

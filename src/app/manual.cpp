@@ -145,7 +145,7 @@ ManualPage page_of_case() {
     text += ".SH DESCRIPTION\nA case file is TOML. It holds all that a run needs.\n" +
             paragraphs(values);
     for (const KeyTable& table : reference_tables()) {
-        text += ".SH " + (table.name.empty() ? "At the top" : "[" + roff(table.name) + "]") + "\n" +
+        text += ".SH " + (table.name.empty() ? "At the top" : roff(table.header)) + "\n" +
                 roff(table.meaning) + "\n";
         for (const KeyLine& line : table.keys)
             text += fmt::format(".TP\n{}\n{}\n{}", bold(line.example), roff(line.meaning),

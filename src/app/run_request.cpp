@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/option_values.hpp"
+#include "case/kinds.hpp"
 #include "case/resolve.hpp"
 
 namespace tt {
@@ -19,7 +20,9 @@ RunRequest request_for(const Case& c, const Choice& choice, const Model& model) 
     request.resolved_toml = resolved_toml(c, choice, model);
     request.inputs = inputs_of(c);
     request.settings = settings_of(c, choice);
-    if (const CellOutline* outline = c.cells.outline(); outline && !c.numerics.fluid_only) {
+    for (const Case& one : cases_by_kind(c)) {
+        const CellOutline* outline = one.cells.outline();
+        if (!outline || c.numerics.fluid_only) continue;
         request.notes.push_back("outline " + description(*outline));
         request.notes.insert(request.notes.end(), outline->remarks.begin(), outline->remarks.end());
     }
@@ -35,8 +38,11 @@ RunRequest request_for(const Case& c, const Choice& choice, const Model& model) 
     request.compress = c.output.compress;
     request.checkpoint = c.output.checkpoint;
     if (!c.numerics.fluid_only && choice.shear_rate.si != 0.0)
-        request.shear_number = c.plasma.viscosity.si * std::abs(choice.shear_rate.si) *
-                               equivalent_radius(c).si / c.membrane.shear_modulus.si;
+        for (const Case& one : cases_by_kind(c))
+            request.shear_number =
+                std::max(request.shear_number.value_or(0.0),
+                         c.plasma.viscosity.si * std::abs(choice.shear_rate.si) *
+                             equivalent_radius(one).si / one.membrane.shear_modulus.si);
     return request;
 }
 

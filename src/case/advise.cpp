@@ -10,6 +10,7 @@
 
 #include "base/units.hpp"
 #include "case/contact_at_start.hpp"
+#include "case/kinds.hpp"
 #include "case/membrane_of.hpp"
 #include "case/plausibility.hpp"
 #include "membrane/outline_checks.hpp"
@@ -52,10 +53,11 @@ void advise_on_step(const Case& c, const Choice& choice, const Appraisal& a, Adv
                 "area_stiffness = {} is stiffer than the lattice fluid can answer: write at most "
                 "\"{}\" in "
                 "[membrane], or leave it out.",
-                rounded_text(choice.area_stiffness, 3),
-                rounded_text(Pressure{safe_area_step_number(a.radius_sites) / b.limit * b.margin() *
-                                      choice.area_stiffness.si},
-                             2));
+                rounded_text(choice.kinds[b.kind].area_stiffness, 3),
+                rounded_text(
+                    Pressure{safe_area_step_number(a.kinds[b.kind].radius_sites) / b.limit *
+                             b.margin() * choice.kinds[b.kind].area_stiffness.si},
+                    2));
     if (a.mach > largest_mach && a.mach <= mach_limit)
         adviser.consider(
             "Mach number {:.2g}: errors of compressibility of about {:.1f} %; halving dt quarters "
@@ -162,15 +164,20 @@ void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& 
 }
 
 void advise_on_outline(const Case& c, const State& initial, Adviser& adviser) {
-    const CellOutline* drawn = c.cells.outline();
-    if (!drawn || c.numerics.fluid_only) return;
-    for (const std::string& remark : drawn->remarks) adviser.consider("{}", remark);
-    constexpr double site = 1.0;
-    if (self_approach(outline(initial.cells, 0), site))
-        adviser.consider(
-            "Two parts of the outline {} are less than a site apart: what lies between them is not "
-            "resolved. Write a smaller dx.",
-            drawn->file);
+    const std::vector<Case> kinds = cases_by_kind(c);
+    const std::vector<std::int32_t>& kind_of = initial.cells.kind;
+    for (std::size_t n = 0; n < kinds.size(); ++n) {
+        const CellOutline* drawn = kinds[n].cells.outline();
+        const auto first = std::find(kind_of.begin(), kind_of.end(), static_cast<std::int32_t>(n));
+        if (!drawn || first == kind_of.end()) continue;
+        for (const std::string& remark : drawn->remarks) adviser.consider("{}", remark);
+        constexpr double site = 1.0;
+        if (self_approach(outline(initial.cells, static_cast<int>(first - kind_of.begin())), site))
+            adviser.consider(
+                "Two parts of the outline {} are less than a site apart: what lies between them is "
+                "not resolved. Write a smaller dx.",
+                drawn->file);
+    }
 }
 
 void advise_on_drawing(const Case& c, Adviser& adviser) {
@@ -181,11 +188,20 @@ void advise_on_drawing(const Case& c, Adviser& adviser) {
 
 void advise_on_physics(const Case& c, const Appraisal& a, Adviser& adviser) {
     if (a.cells == 0) return;
-    if (c.membrane.bending_modulus.si == 0.0 && a.shear_number >= 0.5)
+    const std::vector<Case> kinds = cases_by_kind(c);
+    const auto any = [&](auto&& of_kind) {
+        return std::any_of(kinds.begin(), kinds.end(), of_kind);
+    };
+    const auto unbending = [](const Case& k) { return k.membrane.bending_modulus.si == 0.0; };
+    const auto as_printed = [](const Case& k) {
+        const HardeningCase& hardening = k.membrane.hardening;
+        return hardening.compression == Hardening::Compression::as_printed &&
+               !hardening.apply_to.empty();
+    };
+    if (any(unbending) && a.shear_number >= 0.5)
         adviser.consider(
             "Without bending stiffness the membrane wrinkles at G >= 0.5; write bending_modulus.");
-    if (c.membrane.hardening.compression == Hardening::Compression::as_printed &&
-        !c.membrane.hardening.apply_to.empty())
+    if (any(as_printed))
         adviser.consider(
             "Eq. 12 as printed softens in compression, and segments fold within about 1 ms; write "
             "compression = \"symmetric\".");

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "case/advise.hpp"
+#include "case/kinds.hpp"
 #include "membrane/outline.hpp"
 #include "membrane/outline_checks.hpp"
 #include "membrane/stability.hpp"
@@ -22,9 +23,9 @@ namespace {
 
 /// What of the membranes the grid must resolve.
 void resolve(const Case& c, const Choice& choice, const Suspension& cells, Appraisal& a) {
-    const double modulus = c.membrane.shear_modulus.si;
-    if (modulus > 0.0)
-        a.bending_length = std::sqrt(c.membrane.bending_modulus.si / modulus) / choice.dx.si;
+    a.bending_length = HUGE_VAL;
+    for (const KindFigures& kind : a.kinds)
+        a.bending_length = std::min(a.bending_length, kind.bending_length);
     if (const MorseContact* morse = c.contact.morse())
         a.contact_distance = morse->zero_force_distance.si / choice.dx.si;
     a.start_radius = HUGE_VAL;
@@ -52,8 +53,25 @@ void count_all(const Case& c, const Choice& choice, const State& initial, Apprai
     a.cell_area = area / a.cells;
     a.radius_sites = std::sqrt(a.cell_area / std::numbers::pi);
     a.node_distance = length / a.nodes;
+    for (const KindFigures& kind : a.kinds)
+        if (std::abs(std::log(kind.viscosity_ratio)) > std::abs(std::log(a.viscosity_ratio)))
+            a.viscosity_ratio = kind.viscosity_ratio;
     resolve(c, choice, cells, a);
-    a.viscosity_ratio = c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si;
+}
+
+/// Of each kind, from its case.
+void characterise_kinds(const Case& c, const Choice& choice, const Suspension& cells,
+                        Appraisal& a) {
+    const double k = std::abs(choice.shear_rate.si), dx = choice.dx.si;
+    for (const Case& one : cases_by_kind(c)) {
+        const auto n = static_cast<std::int32_t>(a.kinds.size());
+        const double radius = equivalent_radius(one).si, modulus = one.membrane.shear_modulus.si;
+        a.kinds.push_back({c.kinds.empty() ? "" : c.kinds[n].name,
+                           static_cast<int>(std::count(cells.kind.begin(), cells.kind.end(), n)),
+                           radius / dx, one.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si,
+                           c.plasma.viscosity.si * k * radius / modulus,
+                           std::sqrt(one.membrane.bending_modulus.si / modulus) / dx});
+    }
 }
 
 /// How dense the start is.
@@ -84,11 +102,12 @@ void characterise(const Case& c, const Choice& choice, const Model& model, Appra
     const double k = std::abs(choice.shear_rate.si);
     const double mu = c.plasma.viscosity.si;
     const double rho = c.plasma.density.si;
-    const double radius = equivalent_radius(c).si;
+    const double radius = largest_cell_radius(c).si;
     const double width = c.domain.width.si;
     a.tau_plasma = 0.5 + 3.0 * model.viscosity.plasma;
-    a.tau_cytoplasm =
-        0.5 + 3.0 * (a.cells > 0 ? model.viscosity.cytoplasm : model.viscosity.plasma);
+    const std::vector<double>& cytoplasm = model.viscosity.cytoplasm;
+    const double thickest = *std::max_element(cytoplasm.begin(), cytoplasm.end());
+    a.tau_cytoplasm = 0.5 + 3.0 * (a.cells > 0 ? thickest : model.viscosity.plasma);
     if (model.viscosity.layer_thickness > 0.0)
         a.tau_cytoplasm = std::max(a.tau_cytoplasm, 0.5 + 3.0 * model.viscosity.layer_viscosity);
     a.channel_reynolds = rho * k * width * width / mu;
@@ -96,18 +115,19 @@ void characterise(const Case& c, const Choice& choice, const Model& model, Appra
     a.strained_time = k * c.time.end.si;
     if (c.flow.channel()) a.transits = k * width * c.time.end.si / c.domain.length.si;
     if (a.cells == 0) return;
-    a.shear_number = mu * k * radius / c.membrane.shear_modulus.si;
+    for (const KindFigures& kind : a.kinds)
+        a.shear_number = std::max(a.shear_number, kind.shear_number);
     a.cell_reynolds = rho * k * radius * radius / mu;
     a.cell_reynolds_run = choice.density_scale * a.cell_reynolds;
 }
 
-void bound(const Choice& choice, const Model& model, Appraisal& a) {
-    a.bounds.push_back({"Mach number", a.mach, mach_limit, "largest speed / speed of sound"});
-    if (a.cells == 0) return;
+/// Of the membranes of one kind.
+void bound_membrane(const Choice& choice, const Model& model, std::size_t kind, Appraisal& a) {
     // The fluids on both sides slow a membrane down.
-    const double viscosity = 0.5 * (model.viscosity.plasma + model.viscosity.cytoplasm);
-    const Membrane& membrane = model.membrane;
-    const double stretch = choice.expected_stretch;
+    const double plasma = model.viscosity.plasma, cytoplasm = model.viscosity.cytoplasm[kind];
+    const double viscosity = 0.5 * (plasma + cytoplasm);
+    const Membrane& membrane = model.kinds[kind].membrane;
+    const double stretch = choice.kinds[kind].expected_stretch;
     const bool late = choice.relaxation_time > 1.5;
     a.bounds.push_back({"membrane tension",
                         tension_step_number(tension_slope(membrane, stretch), viscosity,
@@ -115,7 +135,7 @@ void bound(const Choice& choice, const Model& model, Appraisal& a) {
                         membrane.mobility > 0.0 ? implicit_tension_step_limit : tension_step_limit,
                         (late ? "(tau-1/2) T' dt/(mu dx) at " : "T' dt/(mu dx) at stretch ") +
                             fmt::format("{:.3g}", stretch)});
-    const double lesser = std::min(model.viscosity.plasma, model.viscosity.cytoplasm);
+    const double lesser = std::min(plasma, cytoplasm);
     const double bent = stretch_of_hardened(membrane, stretch);
     a.bounds.push_back(
         {"bending", bending_step_number(bending_modulus(membrane, bent), lesser, 1.0, 1.0),
@@ -123,10 +143,24 @@ void bound(const Choice& choice, const Model& model, Appraisal& a) {
     if (membrane.hold_area) return;  // the area cannot run away
     const double cell_stretch = expected_cell_stretch(stretch_of_hardened(membrane, stretch));
     a.bounds.push_back({"area pressure",
-                        area_step_number(area_stiffness(membrane, cell_stretch),
-                                         model.viscosity.plasma, choice.relaxation_time, 1.0),
+                        area_step_number(area_stiffness(membrane, cell_stretch), plasma,
+                                         choice.relaxation_time, 1.0),
                         area_step_limit,
                         fmt::format("k_p (tau-1/2) dt/mu at {:.3g}", cell_stretch)});
+}
+
+void bound(const Choice& choice, const Model& model, Appraisal& a) {
+    a.bounds.push_back({"Mach number", a.mach, mach_limit, "largest speed / speed of sound"});
+    if (a.cells == 0) return;
+    for (std::size_t kind = 0; kind < model.kinds.size(); ++kind) {
+        const std::size_t before = a.bounds.size();
+        bound_membrane(choice, model, kind, a);
+        for (std::size_t n = before; n < a.bounds.size(); ++n) {
+            a.bounds[n].kind = kind;
+            if (model.kinds.size() > 1)
+                a.bounds[n].definition += fmt::format(" ({})", model.kinds[kind].name);
+        }
+    }
 }
 
 /// frames.h5: three pairs of doubles a node, four floats a site where there are fields
@@ -165,6 +199,7 @@ void expect_stable(const Case& c, const Choice& choice, const Model& model, cons
 
 Appraisal appraise(const Case& c, const Choice& choice, const Model& model, const State& initial) {
     Appraisal a;
+    if (initial.cells.cell_count() > 0) characterise_kinds(c, choice, initial.cells, a);
     count_all(c, choice, initial, a);
     measure_start(model, initial.cells, a);
     characterise(c, choice, model, a);

@@ -17,6 +17,7 @@ struct Bound {
     double value = 0.0;
     double limit = 0.0;
     std::string definition;
+    std::size_t kind = 0;  ///< of whose membrane
     double margin() const { return value > 0.0 ? limit / value : 1e9; }
 };
 
@@ -30,6 +31,16 @@ struct Advice {
     std::string text;
 };
 
+/// Of the cells of one kind at the start.
+struct KindFigures {
+    std::string name;  ///< empty where there is but one
+    int cells = 0;
+    double radius_sites = 0.0;
+    double viscosity_ratio = 1.0;
+    double shear_number = 0.0;    ///< G
+    double bending_length = 0.0;  ///< in sites
+};
+
 /// What `check` answers to "which dx, dt, tau?": everything that follows from a case before a step
 /// is made.
 struct Appraisal {
@@ -39,8 +50,9 @@ struct Appraisal {
     double radius_sites = 0.0;    ///< radius of a cell
     double cell_area = 0.0;       ///< mean, in sites
     double node_distance = 0.0;   ///< mean, in sites
-    double hematocrit = 0.0, viscosity_ratio = 1.0;
-    double bending_length = 0.0;    ///< √(E_b/E_s), in sites
+    double hematocrit = 0.0, viscosity_ratio = 1.0;  ///< of kinds that farthest from 1
+    std::vector<KindFigures> kinds;
+    double bending_length = 0.0;    ///< √(E_b/E_s), in sites, of kinds the least
     double contact_distance = 0.0;  ///< of zero force, in sites; 0: no contact model
     double start_turn_deg = 0.0;    ///< largest between neighbouring segments of the first shapes
     double start_radius = 0.0;      ///< their smallest radius of curvature, in sites
@@ -48,7 +60,7 @@ struct Appraisal {
     double wall_distance = 0.0;     ///< of the nearest membrane at the start, in sites
     double start_stretch = 0.0;     ///< largest |l / l₀ − 1| of a segment at the start
     double tau_plasma = 0.0, tau_cytoplasm = 0.0;
-    double shear_number = 0.0;       ///< G = μ k a / E_s (Eq. 19)
+    double shear_number = 0.0;       ///< G = μ k a / E_s (Eq. 19), of kinds the largest
     double cell_reynolds = 0.0;      ///< ρ k a² / μ, physical
     double cell_reynolds_run = 0.0;  ///< times S: as run
     double channel_reynolds = 0.0;   ///< ρ U H / μ, physical

@@ -150,6 +150,21 @@ struct MembraneCase {
     friend bool operator==(const MembraneCase&, const MembraneCase&) = default;
 };
 
+struct Case;
+
+/// Cells that differ from those of [cells] and [membrane] by the keys that are given: [[kind]].
+struct KindCase : CellTypeCase, MembraneCase {
+    static constexpr bool listed = true;
+    std::string name;
+    std::optional<double> share;                 ///< of the number of cells
+    std::optional<std::int64_t> count;           ///< instead of share
+    std::vector<std::vector<Length>> positions;  ///< with layout = "explicit"
+
+    /// As it is before its own keys are read.
+    static KindCase like(const Case& c);
+    friend bool operator==(const KindCase&, const KindCase&) = default;
+};
+
 /// The Morse potential (Eqs. 16, 17) in SI.
 struct MorseContact {
     static constexpr std::string_view name = "morse";
@@ -161,12 +176,23 @@ struct MorseContact {
     friend bool operator==(const MorseContact&, const MorseContact&) = default;
 };
 
+/// What is different between cells of two kinds: [[contact.pair]].
+struct ContactPairCase {
+    static constexpr bool listed = true;
+    std::vector<std::string> kinds;  ///< two names, or twice the same
+    std::optional<Length> zero_force_distance;
+    std::optional<InverseLength> decay;
+    std::optional<SurfaceEnergy> energy;
+    friend bool operator==(const ContactPairCase&, const ContactPairCase&) = default;
+};
+
 struct ContactCase {
     std::variant<NoContact, MorseContact> model = MorseContact{};
     Nearest nearest = Nearest::segment;
     std::optional<bool> short_range_repulsion;  ///< auto: between walls of any shape
     std::optional<Length> repulsion_range;      ///< auto: one site
     Pressure repulsion_strength{1e3};
+    std::vector<ContactPairCase> pairs;
 
     const MorseContact* morse() const { return std::get_if<MorseContact>(&model); }
     friend bool operator==(const ContactCase&, const ContactCase&) = default;
@@ -227,6 +253,7 @@ struct Case {
     LayerCase layer;
     CellsCase cells;
     MembraneCase membrane;
+    std::vector<KindCase> kinds;  ///< none: all cells are as [cells] and [membrane] say
     ContactCase contact;
     NumericsCase numerics;
     TimeCase time;
@@ -236,5 +263,12 @@ struct Case {
     bool network() const { return !ports.empty(); }
     friend bool operator==(const Case&, const Case&) = default;
 };
+
+inline KindCase KindCase::like(const Case& c) {
+    KindCase kind;
+    static_cast<CellTypeCase&>(kind) = c.cells;
+    static_cast<MembraneCase&>(kind) = c.membrane;
+    return kind;
+}
 
 }  // namespace tt

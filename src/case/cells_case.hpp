@@ -65,16 +65,13 @@ struct AtPositions {
     friend bool operator==(const AtPositions&, const AtPositions&) = default;
 };
 
-struct CellsCase {
-    std::optional<std::int64_t> count;
-    std::optional<double> hematocrit;  ///< instead of count: Σ area / box area
+/// What a cell is, but for its membrane.
+struct CellTypeCase {
     std::variant<CircleShape, EllipseShape, BiconcaveShape, OutlineShape> shape;
     Length radius{4e-6};  ///< circle; biconcave: R₀
-    std::variant<SingleCell, PaperRows, AtRandom, AtPositions> layout;
-    Angle angle;  ///< initial rotation, counter-clockwise
+    Angle angle;          ///< initial rotation, counter-clockwise
     std::optional<double>
         initial_stretch;  ///< start as an ellipse of this axis ratio, stress-free shape unchanged
-    std::int64_t seed = 1;
     Viscosity cytoplasm_viscosity{6e-3};
 
     /// What the file of an outline holds; nothing for other shapes.
@@ -82,6 +79,15 @@ struct CellsCase {
         const auto* shape_file = std::get_if<OutlineShape>(&shape);
         return shape_file && shape_file->outline ? &*shape_file->outline : nullptr;
     }
+    friend bool operator==(const CellTypeCase&, const CellTypeCase&) = default;
+};
+
+struct CellsCase : CellTypeCase {
+    std::optional<std::int64_t> count;
+    std::optional<double> hematocrit;  ///< instead of count: Σ area / box area
+    std::variant<SingleCell, PaperRows, AtRandom, AtPositions> layout;
+    std::int64_t seed = 1;
+
     friend bool operator==(const CellsCase&, const CellsCase&) = default;
 };
 

@@ -12,6 +12,7 @@
 #include "case/choose_network.hpp"
 #include "base/processors.hpp"
 #include "case/feeds.hpp"
+#include "case/kinds.hpp"
 #include "case/membrane_of.hpp"
 #include "case/sections.hpp"
 #include "case/walls_of.hpp"
@@ -28,10 +29,11 @@ Undisturbed choose_flow(const Case& c, Choice& choice) {
     if (c.network()) return choose_network_flow(c, choice);
     double at_walls = 0.0, fastest = 0.0;  // of the shear rate and the width
     if (const ShearDrive* shear = flow.shear()) {
+        const Case first = cases_by_kind(c).front();
         choice.shear_rate = Rate{shear->shear_rate ? shear->shear_rate->si
                                                    : shear->shear_number.value_or(0.0) *
-                                                         c.membrane.shear_modulus.si /
-                                                         (viscosity * equivalent_radius(c).si)};
+                                                         first.membrane.shear_modulus.si /
+                                                         (viscosity * equivalent_radius(first).si)};
         at_walls = 1.0, fastest = 0.5;
     } else if (flow.channel()) {
         // Poiseuille: U = g H²/(12 μ), largest speed 3/2 U, shear rate at the walls 6 U/H.
@@ -78,6 +80,28 @@ double of_longest_step(StepAt&& step_at) {
     return best / 100.0;
 }
 
+/// The limits of all kinds, of each the tightest, the tightest first.
+std::vector<StepLimit> limits_of_kinds(const Case& c, const std::vector<Case>& kinds,
+                                       const Undisturbed& flow, const Choice& choice, double tau) {
+    std::vector<StepLimit> limits;
+    for (std::size_t n = 0; n < kinds.size(); ++n)
+        for (StepLimit& limit : step_limits(kinds[n], flow, choice.equilibrium, choice.dx, tau,
+                                            choice.kinds[n].expected_stretch,
+                                            membrane_of(kinds[n].membrane, Scales{}))) {
+            if (!c.kinds.empty()) limit.reason += fmt::format(" (kind '{}')", c.kinds[n].name);
+            const auto same = std::find_if(limits.begin(), limits.end(), [&](const auto& other) {
+                return other.name == limit.name;
+            });
+            if (same == limits.end())
+                limits.push_back(std::move(limit));
+            else if (limit.step < same->step)
+                *same = std::move(limit);
+        }
+    std::stable_sort(limits.begin(), limits.end(),
+                     [](const auto& a, const auto& b) { return a.step < b.step; });
+    return limits;
+}
+
 /// Of Δt, τ and S: what is given stays, the rest follows. Which τ `auto` takes does not depend on
 /// the other two, so that with them all limits of accuracy move in proportion.
 void choose_step(const Case& c, const Undisturbed& flow, Choice& choice) {
@@ -94,12 +118,11 @@ void choose_step(const Case& c, const Undisturbed& flow, Choice& choice) {
                                           implied * 1e6)}});
         }
     }
-    const Membrane membrane = membrane_of(c.membrane, Scales{});
-    choice.expected_stretch = expected_stretch(c, flow, membrane);
-    const auto limits_at = [&](double tau) {
-        return step_limits(c, flow, choice.equilibrium, choice.dx, tau, choice.expected_stretch,
-                           membrane);
-    };
+    const std::vector<Case> kinds = cases_by_kind(c);
+    for (std::size_t n = 0; n < kinds.size(); ++n)
+        choice.kinds[n].expected_stretch =
+            expected_stretch(kinds[n], flow, membrane_of(kinds[n].membrane, Scales{}));
+    const auto limits_at = [&](double tau) { return limits_of_kinds(c, kinds, flow, choice, tau); };
     choice.relaxation_time =
         n.relaxation_time ? *n.relaxation_time
         : n.dt && n.density_scale
@@ -130,12 +153,6 @@ Equilibrium choose_equilibrium(const Case& c) {
     return LinearEquilibrium{};
 }
 
-/// By how many times the viscosities differ, whichever is the larger.
-double viscosity_contrast(const Case& c) {
-    const double ratio = c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si;
-    return std::max(ratio, 1.0 / ratio);
-}
-
 /// The narrower kernel has about half the error. But where the viscosities differ much, its
 /// correction of the jump answers node-sized wiggles the wrong way round
 /// (docs/theory/interface.md).
@@ -163,12 +180,11 @@ bool choose_jump_correction(const Case& c) {
 
 /// k_p: well within what the lattice fluid's compressibility allows, at most 10 kPa. Of a cell
 /// whose area is held it does not matter.
-Pressure choose_area_stiffness(const Case& c, const Choice& choice) {
+Pressure choose_area_stiffness(const Case& c, const Choice& choice, double expected_stretch) {
     if (c.membrane.area_stiffness) return *c.membrane.area_stiffness;
     const double fluid = c.plasma.viscosity.si / ((choice.relaxation_time - 0.5) * choice.dt.si);
     const Hardening hardening = hardening_of(c.membrane.hardening);
-    const double alpha =
-        hardening.area ? hardening(expected_cell_stretch(choice.expected_stretch)) : 1.0;
+    const double alpha = hardening.area ? hardening(expected_cell_stretch(expected_stretch)) : 1.0;
     const double radius = equivalent_radius(c).si / choice.dx.si;
     const double number = safe_area_step_number(c.membrane.hold_area ? HUGE_VAL : radius) / alpha;
     return Pressure{std::min(1e4, std::min(5.0, number) * fluid)};
@@ -177,7 +193,7 @@ Pressure choose_area_stiffness(const Case& c, const Choice& choice) {
 }  // namespace
 
 double Choice::cell_reynolds(const Case& c) const {
-    const double radius = equivalent_radius(c).si;
+    const double radius = largest_cell_radius(c).si;
     return density_scale * c.plasma.density.si * std::abs(shear_rate.si) * radius * radius /
            c.plasma.viscosity.si;
 }
@@ -198,7 +214,7 @@ void expect_sites(const Case& c, const Choice& choice, double most, const std::s
     if (sites <= most) return;
     // Coarser by a whole number that divides both sides, as far as that is allowed; else the longer
     // side shorter.
-    const double narrowest = c.domain.width.si / 6.0, smallest = c.cells.radius.si / 4.0;
+    const double narrowest = c.domain.width.si / 6.0, smallest = smallest_cell_radius(c).si / 4.0;
     const double coarsest = c.numerics.fluid_only ? narrowest : std::min(narrowest, smallest);
     int factor = static_cast<int>(std::ceil(std::sqrt(sites / most)));
     while (factor * dx <= coarsest && (choice.nx % factor != 0 || choice.ny % factor != 0))
@@ -259,6 +275,8 @@ void choose_walls(const Case& c, Choice& choice) {
 
 Choice choose(const Case& c) {
     Choice choice;
+    const std::vector<Case> kinds = cases_by_kind(c);
+    choice.kinds.resize(kinds.size());
     choose_grid(c, choice);
     expect_sites(c, choice, most_sites, "are possible");
     choose_walls(c, choice);
@@ -267,8 +285,11 @@ Choice choose(const Case& c) {
     choice.precision = choose_precision(c);
     choice.jump_correction = choose_jump_correction(c);
     choose_step(c, at_its_largest(c, choose_flow(c, choice), choice), choice);
-    choice.node_spacing = node_spacing(c);
-    choice.area_stiffness = choose_area_stiffness(c, choice);
+    for (std::size_t n = 0; n < kinds.size(); ++n) {
+        KindChoice& kind = choice.kinds[n];
+        kind.node_spacing = node_spacing(kinds[n]);
+        kind.area_stiffness = choose_area_stiffness(kinds[n], choice, kind.expected_stretch);
+    }
     return choice;
 }
 

@@ -16,6 +16,13 @@ namespace tt {
 /// runs hold, at 50 they fold (docs/theory/interface.md).
 inline constexpr double largest_corrected_contrast = 20.0 * (1.0 + 1e-9);
 
+/// Of the cells of one kind. SI.
+struct KindChoice {
+    double node_spacing = 1.0;      ///< in sites
+    double expected_stretch = 1.0;  ///< largest of a membrane segment
+    Pressure area_stiffness;        ///< k_p
+};
+
 /// What the case leaves open, decided: the answer to "which dx, dt, τ?". SI.
 struct Choice {
     int nx = 0, ny = 0;
@@ -24,7 +31,6 @@ struct Choice {
     Time dt;
     double relaxation_time = 1.0;  ///< τ of the plasma
     double density_scale = 1.0;    ///< S
-    double node_spacing = 1.0;     ///< in sites
     Equilibrium equilibrium;
     Delta delta;
     Precision precision = Precision::fp64;
@@ -32,8 +38,7 @@ struct Choice {
     Rate shear_rate;                     ///< nominal k, or pseudo-shear rate; negative: to the left
     Velocity largest_speed;              ///< of the undisturbed flow
     PressureGradient pressure_gradient;  ///< of the plasma-only estimate 12 μ U / H²
-    Pressure area_stiffness;             ///< k_p
-    double expected_stretch = 1.0;       ///< largest of a membrane segment
+    std::vector<KindChoice> kinds{1};    ///< as cases_by_kind
     /// Walls of any shape and the flow of plasma between them; none of a straight channel.
     std::shared_ptr<const Walls> walls;
     std::shared_ptr<const UndisturbedFlow> undisturbed;

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "case/feeds.hpp"
+#include "case/kinds.hpp"
 #include "case/openings.hpp"
 
 namespace tt {
@@ -23,7 +24,7 @@ int rows_that_divide(const Case& c, int fewest, int most) {
 
 void choose_box_grid(const Case& c, Choice& choice) {
     const double width = c.domain.width.si, length = c.domain.length.si;
-    const double radius = equivalent_radius(c).si;
+    const double radius = smallest_cell_radius(c).si;
     const double wanted = c.numerics.dx           ? c.numerics.dx->si
                           : c.numerics.fluid_only ? width / 50.0
                                                   : radius / 20.0;
@@ -74,7 +75,7 @@ void choose_network_grid(const Case& c, Choice& choice) {
         narrowest = std::min(narrowest, width_of(opening));
     const double wanted = c.numerics.dx           ? c.numerics.dx->si
                           : c.numerics.fluid_only ? narrowest / 16.0
-                                                  : equivalent_radius(c).si / 20.0;
+                                                  : smallest_cell_radius(c).si / 20.0;
     const int rows = static_cast<int>(std::ceil(width / wanted * (1.0 - 1e-9)));
     const int dividing = c.numerics.dx ? 0 : rows_that_divide(c, rows, rows + rows / 4);
     choice.dx = Length{dividing > 0 ? width / dividing : wanted};

@@ -11,6 +11,7 @@
 #include "base/units.hpp"
 #include "case/channel_flow.hpp"
 #include "case/judge.hpp"
+#include "case/judge_cells.hpp"
 #include "case/judge_channels.hpp"
 #include "case/sections.hpp"
 #include "case/table_names.hpp"
@@ -95,74 +96,6 @@ void judge_geometry(Judge& judge, const Case& c) {
                                    "ends of the box: their product must be a whole number",
                                    posts->row_shift, posts->columns));
     }
-}
-
-void judge_positions_given(Judge& judge, const Case& c, const AtPositions& layout) {
-    if (layout.positions.empty())
-        judge.tell(
-            {"cells.layout"},
-            fmt::format("layout = \"explicit\" needs the centre of each cell; write positions "
-                        "= [[\"{}\", \"{}\"]]",
-                        to_text(Length{0.5 * c.domain.length.si}),
-                        to_text(Length{0.5 * c.domain.width.si})));
-    for (const auto& position : layout.positions)
-        if (position.size() != 2) {
-            judge.tell({"cells.positions"},
-                       "each of positions is a pair, as in [[\"20 um\", \"10 um\"]]");
-            break;
-        }
-    if (c.cells.count && !layout.positions.empty() &&
-        *c.cells.count != static_cast<std::int64_t>(layout.positions.size()))
-        judge.tell({"cells.count"},
-                   fmt::format("count = {}, but there are {} positions; leave count out",
-                               *c.cells.count, layout.positions.size()));
-}
-
-/// Cells that are laid at random lie at any angle, and fit as they are at rest.
-void judge_random(Judge& judge, const CellsCase& cells) {
-    if (cells.angle.si != 0.0)
-        judge.tell(
-            {"cells.angle"},
-            "angle means nothing with layout = \"random\", which turns each cell by an angle of "
-            "its own; leave it out");
-    if (cells.initial_stretch)
-        judge.tell(
-            {"cells.initial_stretch"},
-            fmt::format("initial_stretch = {} is not possible with layout = \"random\", which "
-                        "lays cells as they are at rest; leave it out, or write layout = "
-                        "\"explicit\"",
-                        to_text(*cells.initial_stretch)));
-}
-
-void judge_layout(Judge& judge, const Case& c) {
-    const CellsCase& cells = c.cells;
-    const bool single = std::holds_alternative<SingleCell>(cells.layout);
-    const auto* positions = std::get_if<AtPositions>(&cells.layout);
-    if (single || positions)
-        judge.forbid("cells.hematocrit",
-                     fmt::format("with layout = \"{}\"", word_of(cells.layout)));
-    else if (!judge.given("cells.count") && !judge.given("cells.hematocrit"))
-        judge.tell({"cells.layout"},
-                   fmt::format("layout = \"{}\" needs count = 12 or hematocrit = \"38 %\"",
-                               word_of(cells.layout)));
-    if (single && cells.count.value_or(1) > 1)
-        judge.tell({"cells.count"},
-                   "layout = \"single\" is one cell; write layout = \"paper\" or \"random\"");
-    if (std::holds_alternative<PaperRows>(cells.layout) && cells.count.value_or(2) % 2 != 0)
-        judge.tell({"cells.count"},
-                   fmt::format("layout = \"paper\" is two equal rows; write count = {}",
-                               *cells.count + 1));
-    if (positions) judge_positions_given(judge, c, *positions);
-    if (std::holds_alternative<AtRandom>(cells.layout)) judge_random(judge, cells);
-}
-
-void judge_cells(Judge& judge, const Case& c) {
-    if (c.numerics.fluid_only) return;
-    if (!judge.given_any("cells."))
-        return judge.tell({},
-                          "there is no [cells]; write one, or fluid_only = true in [numerics] for "
-                          "a plain channel");
-    judge_layout(judge, c);
 }
 
 void judge_numerics(Judge& judge) {

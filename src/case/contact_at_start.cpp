@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "case/kinds.hpp"
 #include "case/step_limits.hpp"
 #include "interaction/contact.hpp"
 
@@ -13,16 +14,20 @@ namespace tt {
 
 std::optional<std::string> bursting_contact(const Case& c, const Model& model,
                                             const State& initial) {
-    const auto* morse = std::get_if<Morse>(&model.contact.law);
-    if (!morse || initial.cells.cell_count() == 0) return std::nullopt;
+    const std::vector<Morse> laws = model.contact.laws();
+    if (laws.empty() || initial.cells.cell_count() == 0) return std::nullopt;
     // Nothing in the box is farther away than that.
     const double box = std::max(model.lattice.nx, model.lattice.ny);
-    const double reach = std::min(morse->zero_force_distance, box);
+    double reach = 0.0;
+    for (const Morse& law : laws) reach = std::max(reach, law.zero_force_distance);
+    reach = std::min(reach, box);
     const double gap = smallest_gap(model.lattice, initial.cells, reach);
     if (!(gap < reach)) return std::nullopt;
-    const double pressure =
-        morse->pressure(gap, 1.0) * model.scales.unit(Pressure::dimension);  // may be infinite
-    const double bearable = lysis_tension / equivalent_radius(c).si;
+    double pressure = 0.0;  // may be infinite
+    for (const Morse& law : laws)
+        pressure =
+            std::max(pressure, law.pressure(gap, 1.0) * model.scales.unit(Pressure::dimension));
+    const double bearable = lysis_tension / largest_cell_radius(c).si;
     if (pressure <= bearable) return std::nullopt;
     return fmt::format(
         "Membranes start {} apart, where contact presses them with {:.2g} Pa; a cell bursts at "

@@ -9,6 +9,7 @@
 #include "base/units.hpp"
 #include "case/choose.hpp"
 #include "case/discretise.hpp"
+#include "case/kinds.hpp"
 
 namespace tt {
 namespace {
@@ -26,8 +27,15 @@ struct Change {
         add("numerics.jump_correction", "false");
     }
     void hold_area() {
-        c.membrane.hold_area = true;
-        add("membrane.hold_area", "true");
+        if (c.kinds.empty()) {
+            c.membrane.hold_area = true;
+            add("membrane.hold_area", "true");
+        }
+        for (KindCase& kind : c.kinds) {
+            if (kind.hold_area) continue;
+            kind.hold_area = true;
+            add(fmt::format("kind.{}.hold_area", kind.name), "true");
+        }
     }
     /// At the same relaxation time, so that a state can be taken over.
     void shorten_step(double factor, const Choice& choice) {
@@ -43,11 +51,6 @@ struct Change {
         add("numerics.relaxation_time", to_text(choice.relaxation_time));
     }
 };
-
-double contrast(const Case& c) {
-    const double ratio = c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si;
-    return std::max(ratio, 1.0 / ratio);
-}
 
 }  // namespace
 
@@ -65,9 +68,11 @@ std::vector<Remedy> cures(const Case& c, int threads) {
         }
     };
     const bool cells = !c.numerics.fluid_only;
-    const bool correction = cells && choice.jump_correction && contrast(c) > 1.0;
-    const bool far = correction && contrast(c) > 10.0;
-    const bool free = cells && !c.membrane.hold_area;
+    const bool correction = cells && choice.jump_correction && viscosity_contrast(c) > 1.0;
+    const bool far = correction && viscosity_contrast(c) > 10.0;
+    const std::vector<Case> kinds = cases_by_kind(c);
+    const bool free = cells && std::any_of(kinds.begin(), kinds.end(),
+                                           [](const Case& one) { return !one.membrane.hold_area; });
     const auto shortened = [&](double factor) {
         return [&choice, factor](Change& change) { change.shorten_step(factor, choice); };
     };

@@ -5,6 +5,7 @@
 
 #include "case/choose_network.hpp"
 #include "case/feeds.hpp"
+#include "case/kinds.hpp"
 #include "case/membrane_of.hpp"
 #include "case/sections.hpp"
 #include "membrane/implicit_tension.hpp"
@@ -19,33 +20,67 @@ double query_range(const MorseContact& contact) {
     return contact.zero_force_distance.si - std::log(z) / contact.decay.si;
 }
 
-/// Steps between measurements of the gaps: up to four, of which the errors are not seen, as long as
-/// the contact pressure moves two membranes half of r₀ apart by less than half of what changes it.
-/// Every step where the short-range repulsion, which is far stiffer, may act.
-int interval_of(const ContactModel& contact, double alpha, double viscosity) {
-    constexpr double most = 4.0, share = 0.5;
-    const auto* law = std::get_if<Morse>(&contact.law);
-    if (!law || contact.repulsion_range > 0.0) return 1;
-    const double stiffness =
-        law->stiffness(0.5 * law->zero_force_distance, law->scale_repulsion ? alpha : 1.0);
-    return static_cast<int>(std::fmax(1.0, std::fmin(most, share * viscosity / stiffness)));
+/// The law of [contact] as it is between two kinds.
+MorseContact between(const Case& c, const MorseContact& morse, const std::string& a,
+                     const std::string& b) {
+    MorseContact own = morse;
+    for (const ContactPairCase& pair : c.contact.pairs) {
+        const auto& k = pair.kinds;
+        if (!(k[0] == a && k[1] == b) && !(k[0] == b && k[1] == a)) continue;
+        own.zero_force_distance = pair.zero_force_distance.value_or(own.zero_force_distance);
+        own.decay = pair.decay.value_or(own.decay);
+        own.energy = pair.energy.value_or(own.energy);
+    }
+    return own;
+}
+
+/// Sets what acts between membranes: one law, or one for each pair of kinds where they differ.
+void set_morse(const Case& c, const MorseContact& morse, const Scales& scales,
+               ContactModel& contact) {
+    const std::vector<Case> kinds = cases_by_kind(c);
+    contact.kinds = static_cast<int>(kinds.size());
+    std::vector<Morse> laws;
+    double range = 0.0;
+    for (std::size_t a = 0; a < kinds.size(); ++a)
+        for (std::size_t b = 0; b < kinds.size(); ++b) {
+            const MorseContact law =
+                c.kinds.empty() ? morse : between(c, morse, c.kinds[a].name, c.kinds[b].name);
+            laws.push_back({scales.to_lattice(law.energy), scales.to_lattice(law.decay),
+                            scales.to_lattice(law.zero_force_distance),
+                            hardening_of(kinds[a].membrane.hardening).contact});
+            range = std::fmax(range, query_range(law));
+        }
+    contact.law = laws.front();
+    contact.range = scales.to_lattice(morse.range.value_or(Length{range}));
+    const auto is_first = [&](const Morse& law) { return law == laws.front(); };
+    if (!std::all_of(laws.begin(), laws.end(), is_first)) contact.pairs = std::move(laws);
 }
 
 ContactModel contact_of(const Case& c, const Scales& scales) {
     const ContactCase& k = c.contact;
     ContactModel contact;
     contact.nearest = k.nearest;
-    if (const MorseContact* morse = k.morse()) {
-        contact.law = Morse{scales.to_lattice(morse->energy), scales.to_lattice(morse->decay),
-                            scales.to_lattice(morse->zero_force_distance),
-                            hardening_of(c.membrane.hardening).contact};
-        contact.range = scales.to_lattice(morse->range.value_or(Length{query_range(*morse)}));
-    }
+    if (const MorseContact* morse = k.morse()) set_morse(c, *morse, scales, contact);
     if (repels(c)) {
         contact.repulsion_range = k.repulsion_range ? scales.to_lattice(*k.repulsion_range) : 1.0;
         contact.repulsion_strength = scales.to_lattice(k.repulsion_strength);
     }
     return contact;
+}
+
+/// Steps between measurements of the gaps: up to four, of which the errors are not seen, as long as
+/// the contact pressure moves two membranes half of r₀ apart by less than half of what changes it.
+/// Every step where the short-range repulsion, which is far stiffer, may act. `alpha` is the
+/// largest hardening expected.
+int interval_of(const ContactModel& contact, double alpha, double viscosity) {
+    constexpr double most = 4.0, share = 0.5;
+    const std::vector<Morse> laws = contact.laws();
+    if (laws.empty() || contact.repulsion_range > 0.0) return 1;
+    double stiffness = 0.0;
+    for (const Morse& law : laws)
+        stiffness = std::fmax(stiffness, law.stiffness(0.5 * law.zero_force_distance,
+                                                       law.scale_repulsion ? alpha : 1.0));
+    return static_cast<int>(std::fmax(1.0, std::fmin(most, share * viscosity / stiffness)));
 }
 
 Waveform waveform_of(const WaveCase& wave, const Scales& scales) {
@@ -85,7 +120,7 @@ std::vector<PortCondition> port_conditions(const Case& c, const Choice& choice, 
 /// Cells fade over two of their lengths where plasma leaves.
 std::vector<Exit> exits_of(const Case& c, const Choice& choice) {
     if (c.numerics.fluid_only) return {};
-    const double fade = 4.0 * equivalent_radius(c).si / choice.dx.si;
+    const double fade = 4.0 * largest_cell_radius(c).si / choice.dx.si;
     std::vector<Exit> exits;
     for (std::size_t n = 0; n < c.ports.size(); ++n) {
         const Opening& opening = choice.walls->solid.openings[n];
@@ -106,14 +141,32 @@ ViscosityModel viscosity_of(const Case& c, const Choice& choice, const Scales& s
     viscosity.mean = n.viscosity_mean;
     viscosity.collision = n.collision;
     viscosity.plasma = (choice.relaxation_time - 0.5) / 3.0;
-    viscosity.cytoplasm =
-        viscosity.plasma * (c.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si);
+    viscosity.cytoplasm.clear();
+    for (const Case& one : cases_by_kind(c))
+        viscosity.cytoplasm.push_back(viscosity.plasma *
+                                      (one.cells.cytoplasm_viscosity.si / c.plasma.viscosity.si));
     if (c.layer.thickness) {
         viscosity.layer_thickness = scales.to_lattice(*c.layer.thickness);
         viscosity.layer_viscosity =
             viscosity.plasma * (c.layer.viscosity->si / c.plasma.viscosity.si);
     }
     return viscosity;
+}
+
+std::vector<CellKind> kinds_of(const Case& c, const Choice& choice, const Model& m) {
+    std::vector<CellKind> kinds;
+    for (const Case& one : cases_by_kind(c)) {
+        const std::size_t n = kinds.size();
+        const double plasma = m.viscosity.plasma, cytoplasm = m.viscosity.cytoplasm[n];
+        CellKind& kind = kinds.emplace_back();
+        if (!c.kinds.empty()) kind.name = c.kinds[n].name;
+        if (choice.jump_correction) kind.jump = jump_correction(m.delta, plasma, cytoplasm);
+        kind.membrane = membrane_of(one.membrane, m.scales);
+        if (tension_is_implicit(one))
+            kind.membrane.mobility = tension_mobility(0.5 * (plasma + cytoplasm));
+        kind.membrane.area_stiffness = m.scales.to_lattice(choice.kinds[n].area_stiffness);
+    }
+    return kinds;
 }
 
 }  // namespace
@@ -128,15 +181,13 @@ Model discretise(const Case& c, const Choice& choice) {
     m.precision = choice.precision;
     m.delta = choice.delta;
     m.viscosity = viscosity_of(c, choice, m.scales);
-    if (choice.jump_correction) m.jump = jump_correction(m.delta, m.viscosity);
-    m.membrane = membrane_of(c.membrane, m.scales);
-    if (tension_is_implicit(c))
-        m.membrane.mobility = tension_mobility(0.5 * (m.viscosity.plasma + m.viscosity.cytoplasm));
-    m.membrane.area_stiffness = m.scales.to_lattice(choice.area_stiffness);
+    m.kinds = kinds_of(c, choice, m);
     m.contact = contact_of(c, m.scales);
-    m.contact.interval =
-        interval_of(m.contact, m.membrane.hardening(expected_cell_stretch(choice.expected_stretch)),
-                    m.viscosity.plasma);
+    double alpha = 0.0;
+    for (std::size_t n = 0; n < m.kinds.size(); ++n)
+        alpha = std::fmax(alpha, m.kinds[n].membrane.hardening(
+                                     expected_cell_stretch(choice.kinds[n].expected_stretch)));
+    m.contact.interval = interval_of(m.contact, alpha, m.viscosity.plasma);
     m.shear_rate = m.scales.to_lattice(choice.shear_rate);
     m.boundaries.walls = m.contact.walls = choice.walls;
     m.undisturbed = choice.undisturbed;

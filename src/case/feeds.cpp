@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/units.hpp"
+#include "case/kinds.hpp"
 #include "case/openings.hpp"
 
 namespace tt {
@@ -117,7 +118,7 @@ Model channel_of(const Gate& gate, int period, double mean_velocity, const Model
 
 }  // namespace
 
-Length room_at_feed(const Case& c) { return Length{6.0 * equivalent_radius(c).si}; }
+Length room_at_feed(const Case& c) { return Length{6.0 * largest_cell_radius(c).si}; }
 
 Length feed_length(const Case& c, const FeedCase& feed, Length port_width) {
     return feed.length.value_or(Length{std::max(10.0 * port_width.si, 4.0 * room_at_feed(c).si)});

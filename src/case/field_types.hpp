@@ -39,7 +39,20 @@ inline constexpr bool is_named_tables = false;
 template <TomlTable S>
 inline constexpr bool is_named_tables<std::vector<S>> = requires(S s) {
     s.name;
+    requires !requires { S::listed; };
 };
+
+/// Tables that come as often as the user likes, [[kind]]: their struct says so. One with a `name`
+/// is named by it.
+template <class T>
+inline constexpr bool is_listed_tables = false;
+template <TomlTable S>
+inline constexpr bool is_listed_tables<std::vector<S>> = requires {
+    S::listed;
+};
+
+template <class T>
+inline constexpr bool is_tables = is_named_tables<T> || is_listed_tables<T>;
 
 /// The type of the single values in a field: of an optional or a list, that of its items.
 template <class T>

@@ -10,14 +10,13 @@
 
 namespace tt {
 
-/// Hard particles that grow: copies of an outline start small at random places and angles, move by
+/// Hard particles that grow: copies of outlines start small at random places and angles, move by
 /// Monte Carlo and grow about their centres by a common factor, never nearer to each other and to
 /// the walls than a gap.
 class Growth {
 public:
-    /// Starts `count` small copies of `shape`, a closed outline about the origin.
-    Growth(const std::vector<Vec2>& shape, int count, const Room& room, double gap,
-           std::uint64_t seed);
+    /// Starts with all cells small.
+    Growth(const Crowd& crowd, const Room& room, double gap, std::uint64_t seed);
 
     /// One trial move and turn of every cell; the step adapts so that about half are accepted.
     void sweep();
@@ -31,16 +30,19 @@ public:
 
 private:
     int count() const { return static_cast<int>(cells_.size()); }
-    double reach() const { return scale_ * reach_; }
-    Placement random_placement();
-    std::vector<Vec2> outline_of(const Placement& cell) const;
+    double reach() const { return scale_ * reach_; }  ///< of the largest
+    double reach(int cell) const { return scale_ * reaches_[shape_of_[cell]]; }
+    Placement random_placement(int cell);
+    std::vector<Vec2> outline_of(int cell, const Placement& place) const;
     bool fits(int self, const Placement& cell, const std::vector<Vec2>& outline) const;
-    bool clear_of(int other, const Placement& cell, const std::vector<Vec2>& outline,
-                  bool itself) const;
-    bool any_inside(const std::vector<Vec2>& outline, const std::vector<Vec2>& other, Vec2 centre,
-                    Vec2 shift) const;
+    bool clear_of(int self, int other, const Placement& cell,
+                  const std::vector<Vec2>& outline) const;
+    bool any_inside(const std::vector<Vec2>& outline, int other, const std::vector<Vec2>& others,
+                    Vec2 centre, Vec2 shift) const;
 
-    std::vector<Vec2> shape_;
+    std::vector<std::vector<Vec2>> shapes_;  ///< of a few points
+    std::vector<double> reaches_;            ///< of these, at full size
+    std::vector<int> shape_of_;
     Lattice box_;
     const Walls* walls_;
     double gap_;

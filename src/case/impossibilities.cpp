@@ -17,6 +17,7 @@
 #include "case/judge.hpp"
 #include "case/judge_channels.hpp"
 #include "case/judge_flow.hpp"
+#include "case/kinds.hpp"
 #include "case/openings.hpp"
 #include "case/sections.hpp"
 #include "case/membrane_of.hpp"
@@ -74,7 +75,7 @@ void judge_contact(Judge& judge, const MorseContact& contact) {
 /// Longer than a cell it would push each cell by its own image.
 void judge_repulsion(Judge& judge, const Case& c) {
     const auto& range = c.contact.repulsion_range;
-    const Length radius = equivalent_radius(c);
+    const Length radius = smallest_cell_radius(c);
     if (!repels(c) || !range || *range <= radius) return;
     judge.tell(
         {"contact.repulsion_range"},
@@ -131,7 +132,9 @@ void judge_grid(Judge& judge, const Case& c) {
     const double dx = c.numerics.dx->si;
     const double width = c.domain.width.si, length = c.domain.length.si;
     const bool cells = !c.numerics.fluid_only;
-    const double wanted = cells ? std::min(width / 12.0, c.cells.radius.si / 8.0) : width / 12.0;
+    double radius = HUGE_VAL;
+    for (const Case& one : cases_by_kind(c)) radius = std::min(radius, one.cells.radius.si);
+    const double wanted = cells ? std::min(width / 12.0, radius / 8.0) : width / 12.0;
     if (width / dx < 6.0)
         return judge.tell(
             {"numerics.dx"},
@@ -145,13 +148,12 @@ void judge_grid(Judge& judge, const Case& c) {
                                       to_text(*c.numerics.dx),
                                       rounded_text(length / dx * (width / dx), Dimension{}, 3),
                                       to_text(most_sites), fewer_sites(c, wanted)));
-    if (cells && c.cells.radius.si / dx < 4.0)
+    if (cells && radius / dx < 4.0)
         return judge.tell(
             {"numerics.dx"},
             fmt::format("dx = {} leaves {:.1f} sites to the radius of a cell; at least 4 are "
                         "needed; {}",
-                        to_text(*c.numerics.dx), c.cells.radius.si / dx,
-                        fitting_spacing(c, wanted)));
+                        to_text(*c.numerics.dx), radius / dx, fitting_spacing(c, wanted)));
     if (c.network() || (is_whole(width / dx) && is_whole(length / dx))) return;
     judge.tell(
         {"numerics.dx"},
@@ -179,16 +181,32 @@ void judge_times(Judge& judge, const Case& c) {
     for (const Time t : c.output.figure_times) check(t, "output.figure_times");
 }
 
+/// What of each kind cannot be. Returns whether all have the size of a cell.
+bool judge_kinds(Judge& judge, const Case& c) {
+    bool sized = true;
+    const std::vector<Case> kinds = cases_by_kind(c);
+    for (std::size_t n = 0; n < kinds.size(); ++n) {
+        const Case& one = kinds[n];
+        if (!c.kinds.empty()) judge.look_at_kind(c.kinds[n].name);
+        judge_membrane(judge, one.membrane);
+        if (c.numerics.fluid_only) continue;
+        if (judge_outline(judge, one)) {
+            judge_fit(judge, one);
+            judge_positions(judge, one);
+        } else {
+            sized = false;
+        }
+    }
+    judge.look_at_kind({});
+    return sized;
+}
+
 }  // namespace
 
 std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
                                         const std::string& file) {
     Judge judge(places, file);
-    const bool cells_have_size = c.numerics.fluid_only || judge_outline(judge, c);
-    if (cells_have_size && !c.numerics.fluid_only) {
-        judge_fit(judge, c);
-        judge_positions(judge, c);
-    }
+    const bool cells_have_size = judge_kinds(judge, c);
     if (c.layer.thickness && *c.layer.thickness >= c.domain.width)
         judge.tell(
             {"layer.thickness"},
@@ -199,7 +217,6 @@ std::vector<Fault> find_impossibilities(const Case& c, const Places& places,
     for (const auto& [name, why] : port_places(c).faults)
         judge.tell({"port." + name + ".at"}, fmt::format("port '{}': {}", name, why));
     judge_section_places(judge, c);
-    judge_membrane(judge, c.membrane);
     if (c.contact.morse()) judge_contact(judge, *c.contact.morse());
     judge_flow(judge, c, cells_have_size && !c.numerics.fluid_only);
     if (cells_have_size && !c.numerics.fluid_only) judge_repulsion(judge, c);

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "case/choose.hpp"
 #include "case/feeds.hpp"
+#include "case/kinds.hpp"
 #include "case/layout.hpp"
 #include "case/random_layout.hpp"
 #include "coupling/stencil.hpp"
@@ -74,37 +75,71 @@ std::vector<Vec2> stress_free_shape(const Case& c, double dx) {
     return shape;
 }
 
-std::vector<Placement> placements(const Case& c, const Model& m, const std::vector<Vec2>& shape,
-                                  const LayoutWatch& watch) {
+/// The outlines of all kinds.
+std::vector<std::vector<Vec2>> shapes_of(const std::vector<Case>& kinds, double dx) {
+    std::vector<std::vector<Vec2>> shapes;
+    for (const Case& one : kinds) shapes.push_back(stress_free_shape(one, dx));
+    return shapes;
+}
+
+/// So many of each, in any order.
+Crowd crowd_of(const Case& c, std::vector<std::vector<Vec2>> shapes, double room, int multiple,
+               std::uint64_t seed) {
+    std::vector<double> areas;
+    for (const auto& shape : shapes) areas.push_back(area_of(shape));
+    Crowd crowd;
+    crowd.shapes = std::move(shapes);
+    crowd.shape_of = mixed(cells_of_kinds(c, areas, room, multiple), seed);
+    return crowd;
+}
+
+/// The positions of each kind.
+void place_explicitly(const Case& c, const std::vector<Case>& kinds, const Model& m, Crowd& crowd,
+                      std::vector<Placement>& places) {
+    const auto place = [&](const std::vector<std::vector<Length>>& positions, std::size_t kind) {
+        for (const auto& p : positions) {
+            const Vec2 at{m.scales.to_lattice(p[0]), m.scales.to_lattice(p[1])};
+            places.push_back({at - m.origin, kinds[kind].cells.angle.si});
+            crowd.shape_of.push_back(static_cast<int>(kind));
+        }
+    };
+    if (c.kinds.empty()) return place(std::get<AtPositions>(c.cells.layout).positions, 0);
+    for (std::size_t n = 0; n < c.kinds.size(); ++n) place(c.kinds[n].positions, n);
+}
+
+/// Who is laid, and where.
+struct Start {
+    Crowd crowd;
+    std::vector<Placement> places;
+};
+Start start_of(const Case& c, const std::vector<Case>& kinds, const Model& m,
+               const LayoutWatch& watch) {
     const double length = m.lattice.nx, width = m.lattice.ny;
     const auto seed = static_cast<std::uint64_t>(c.cells.seed);
     const Walls* const walls = m.boundaries.walls.get();
     const Walls closed = m.exits.empty() ? Walls{} : with_closed_ports(m);
     const Room room{m.lattice, m.exits.empty() ? walls : &closed};
-    const auto number = [&](int multiple) {  // as near to the hematocrit as there are whole cells
-        if (!c.cells.hematocrit) return static_cast<int>(c.cells.count.value_or(1));
-        // What comes in fills the stretch before a port that feeds.
-        const double area = m.feeds.empty() ? m.open_area() : room.area();
-        const double cells = *c.cells.hematocrit * area / area_of(shape);
-        return multiple * std::max(1, static_cast<int>(std::lround(cells / multiple)));
-    };
-    if (const auto* rows = std::get_if<PaperRows>(&c.cells.layout)) {
-        std::vector<Placement> cells =
-            two_rows(number(2), length, width, m.scales.to_lattice(rows->perturbation), seed);
-        for (Placement& cell : cells) cell.angle = c.cells.angle.si;
-        return cells;
+    // What comes in fills the stretch before a port that feeds.
+    const double area = m.feeds.empty() ? m.open_area() : room.area();
+    std::vector<std::vector<Vec2>> shapes = shapes_of(kinds, m.scales.length);
+    Start start;
+    if (std::holds_alternative<AtPositions>(c.cells.layout)) {
+        start.crowd.shapes = std::move(shapes);
+        place_explicitly(c, kinds, m, start.crowd, start.places);
+    } else if (const auto* rows = std::get_if<PaperRows>(&c.cells.layout)) {
+        start.crowd = crowd_of(c, std::move(shapes), area, 2, seed);
+        start.places = two_rows(start.crowd.count(), length, width,
+                                m.scales.to_lattice(rows->perturbation), seed);
+        for (std::size_t n = 0; n < start.places.size(); ++n)
+            start.places[n].angle = kinds[start.crowd.shape_of[n]].cells.angle.si;
+    } else if (std::holds_alternative<AtRandom>(c.cells.layout)) {
+        start.crowd = crowd_of(c, std::move(shapes), area, 1, seed);
+        start.places = random_placements(start.crowd, room, seed, watch);
+    } else {
+        start.crowd = {shapes.front(), 1};
+        start.places = {{{0.5 * length, 0.5 * width}, kinds.front().cells.angle.si}};
     }
-    if (std::holds_alternative<AtRandom>(c.cells.layout))
-        return random_placements(shape, number(1), room, seed, watch);
-    if (const auto* layout = std::get_if<AtPositions>(&c.cells.layout)) {
-        std::vector<Placement> cells;
-        for (const auto& p : layout->positions) {
-            const Vec2 place{m.scales.to_lattice(p[0]), m.scales.to_lattice(p[1])};
-            cells.push_back({place - m.origin, c.cells.angle.si});
-        }
-        return cells;
-    }
-    return {{{0.5 * length, 0.5 * width}, c.cells.angle.si}};
+    return start;
 }
 
 /// Deforms the placed outline to an ellipse-like shape of this axis ratio at constant area, long
@@ -129,8 +164,9 @@ void move_last_cell_to(const std::vector<Vec2>& points, Suspension& cells) {
     }
 }
 
-void add_placed(const std::vector<Vec2>& shape, const Placement& place, Suspension& cells) {
-    add_cell(cells, placed(shape, place.angle, place.centre));
+void add_placed(const Crowd& crowd, int cell, const Placement& place, Suspension& cells) {
+    const std::vector<Vec2>& shape = crowd.shape(cell);
+    add_cell(cells, placed(shape, place.angle, place.centre), crowd.shape_of[cell]);
     if (!place.bend.empty()) move_last_cell_to(placed(shape, place), cells);
 }
 
@@ -196,11 +232,13 @@ void refuse_overlaps(const Model& m, const Suspension& cells) {
 Suspension suspended_cells(const Case& c, const Model& m, const LayoutWatch& watch) {
     Suspension cells;
     if (c.numerics.fluid_only) return cells;
-    const std::vector<Vec2> shape = stress_free_shape(c, m.scales.length);
-    for (const Placement& place : placements(c, m, shape, watch)) {
-        add_placed(shape, place, cells);
-        if (c.cells.initial_stretch)
-            stretch(place, *c.cells.initial_stretch, cells, cells.cell_count() - 1);
+    const std::vector<Case> kinds = cases_by_kind(c);
+    const Start start = start_of(c, kinds, m, watch);
+    for (int cell = 0; cell < start.crowd.count(); ++cell) {
+        const Placement& place = start.places[cell];
+        add_placed(start.crowd, cell, place, cells);
+        if (const auto ratio = kinds[start.crowd.shape_of[cell]].cells.initial_stretch)
+            stretch(place, *ratio, cells, cell);
     }
     refuse_bad_placements(m, cells);
     refuse_overlaps(m, cells);
@@ -269,15 +307,18 @@ State feed_at_start(const Case& c, const Model& network, const Feed& feed,
     const Model& channel = *feed.channel;
     const FeedCase& asked = c.ports[static_cast<std::size_t>(feed.port)].feed;
     State state;
-    const std::vector<Vec2> shape = stress_free_shape(c, channel.scales.length);
-    const double cells = *asked.hematocrit * channel.open_area() / area_of(shape);
+    Case in_channel = c;
+    in_channel.cells.count.reset();
+    in_channel.cells.hematocrit = asked.hematocrit;
+    const auto seed = static_cast<std::uint64_t>(asked.seed.value_or(1));
+    const Crowd crowd = crowd_of(in_channel, shapes_of(cases_by_kind(c), channel.scales.length),
+                                 channel.open_area(), 1, seed);
     const std::string& port = network.port_names[static_cast<std::size_t>(feed.port)];
-    for (const Placement& place :
-         random_placements(shape, std::max(1, static_cast<int>(std::lround(cells))),
-                           {channel.lattice, channel.boundaries.walls.get()},
-                           static_cast<std::uint64_t>(asked.seed.value_or(1)), watch,
-                           fmt::format("[port.{}.feed]", port)))
-        add_placed(shape, place, state.cells);
+    const std::vector<Placement> places =
+        random_placements(crowd, {channel.lattice, channel.boundaries.walls.get()}, seed, watch,
+                          fmt::format("[port.{}.feed]", port));
+    for (int cell = 0; cell < crowd.count(); ++cell)
+        add_placed(crowd, cell, places[cell], state.cells);
     start(c, channel, state);
     return state;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -17,7 +18,11 @@ class Judge {
 public:
     Judge(const Places& places, const std::string& file) : places_(places), file_(file) {}
 
-    bool given(std::string_view path) const { return places_.find(path) != places_.end(); }
+    /// From here on it is about the cells of one kind: keys of [cells] and [membrane] are looked
+    /// for in its table first, and faults name it. Empty: no longer.
+    void look_at_kind(const std::string& name) { kind_ = name; }
+
+    bool given(std::string_view path) const { return place_of(path) != places_.end(); }
 
     /// Whether any key of a table was given.
     bool given_any(std::string_view table) const {
@@ -29,12 +34,13 @@ public:
     void tell(std::initializer_list<std::string_view> paths, std::string message) {
         Fault fault{file_, 0, 0, {}};
         for (const std::string_view path : paths) {
-            const auto it = places_.find(path);
+            const auto it = place_of(path);
             if (it == places_.end()) continue;
             fault = it->second;
             break;
         }
-        fault.message = std::move(message);
+        fault.message =
+            kind_.empty() ? std::move(message) : fmt::format("kind '{}': {}", kind_, message);
         faults.push_back(std::move(fault));
     }
 
@@ -49,8 +55,19 @@ public:
     std::vector<Fault> faults;
 
 private:
+    Places::const_iterator place_of(std::string_view path) const {
+        const std::string_view table = path.substr(0, path.find('.'));
+        if (!kind_.empty() && (table == "cells" || table == "membrane")) {
+            const auto own = places_.find(fmt::format(
+                "kind.{}.{}", kind_, path.substr(std::min(table.size() + 1, path.size()))));
+            if (own != places_.end()) return own;
+        }
+        return places_.find(path);
+    }
+
     const Places& places_;
     const std::string& file_;
+    std::string kind_;
 };
 
 }  // namespace tt

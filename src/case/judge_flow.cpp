@@ -12,6 +12,7 @@
 
 #include "base/units.hpp"
 #include "case/channel_flow.hpp"
+#include "case/kinds.hpp"
 #include "case/membrane_of.hpp"
 #include "case/step_limits.hpp"
 
@@ -81,18 +82,19 @@ bool hardens(const MembraneCase& membrane) {
 
 /// Cells in a flow that is so fast, or so viscous, for their membrane that no step and no grid
 /// keeps them whole. The same limit as of shear_number.
-void judge_shear_number(Judge& judge, const Case& c) {
+void judge_shear_number(Judge& judge, const Case& c, double asked) {
     const double largest = hardens(c.membrane) ? largest_shear_number : largest_unhardened;
     const char* const why =
         hardens(c.membrane) ? "membranes would be torn"
                             : "cells whose tension does not harden are drawn out until they break";
     const ShearDrive* shear = c.flow.shear();
     if (shear && shear->shear_number && !shear->shear_rate) {
-        if (*shear->shear_number > largest)
-            judge.tell(
-                {"flow.shear_number"},
-                fmt::format("G = {} and at most {} is possible: {}; write shear_number = {}",
-                            to_text(*shear->shear_number), largest, why, usual_shear_number));
+        if (asked > largest)
+            judge.tell({"flow.shear_number"},
+                       fmt::format("G = {} and at most {} is possible: {}; write shear_number = {}",
+                                   to_text(asked), largest, why,
+                                   rounded_text(usual_shear_number * *shear->shear_number / asked,
+                                                Dimension{}, 2)));
         return;
     }
     const double shear_number = c.plasma.viscosity.si * rate_of(c).value_or(0.0) *
@@ -135,7 +137,19 @@ void judge_reynolds(Judge& judge, const Case& c) {
 void judge_flow(Judge& judge, const Case& c, bool with_cells) {
     if (!judge_rate(judge, c)) return;
     judge_reynolds(judge, c);
-    if (with_cells) judge_shear_number(judge, c);
+    if (!with_cells) return;
+    // A number that is asked for is that of the first kind.
+    const std::vector<Case> kinds = cases_by_kind(c);
+    const auto time = [](const Case& one) {
+        return equivalent_radius(one).si / one.membrane.shear_modulus.si;
+    };
+    for (std::size_t n = 0; n < kinds.size(); ++n) {
+        if (!c.kinds.empty()) judge.look_at_kind(c.kinds[n].name);
+        const double first = c.flow.shear() ? c.flow.shear()->shear_number.value_or(0.0) : 0.0;
+        judge_shear_number(judge, kinds[n],
+                           n == 0 ? first : first * (time(kinds[n]) / time(kinds.front())));
+    }
+    judge.look_at_kind({});
 }
 
 }  // namespace tt

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "case/drawn_file.hpp"
+#include "case/kinds.hpp"
 
 namespace tt {
 
@@ -20,8 +21,9 @@ std::vector<InputFile> kept_inputs(const fs::path& case_file, const std::string&
         if (std::none_of(files.begin(), files.end(), same)) files.push_back({name, bytes});
     };
     for (const Case* c : cases) {
-        const auto* shape = std::get_if<OutlineShape>(&c->cells.shape);
-        if (shape && shape->outline) keep(shape->file, shape->outline->bytes);
+        for (const Case& one : cases_by_kind(*c))
+            if (const CellOutline* outline = one.cells.outline())
+                keep(std::get<OutlineShape>(one.cells.shape).file, outline->bytes);
         const auto* drawn = std::get_if<DrawnShape>(&c->geometry.shape);
         if (!drawn || drawn->file.empty()) continue;
         if (is_converted(*drawn)) keep(drawn->file, drawn->original);

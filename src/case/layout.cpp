@@ -36,6 +36,12 @@ void swell_to(double area, std::vector<Vec2>& outline) {
 
 }  // namespace
 
+double Crowd::area() const {
+    double area = 0.0;
+    for (int cell = 0; cell < count(); ++cell) area += area_of(shape(cell));
+    return area;
+}
+
 std::vector<Vec2> placed(const std::vector<Vec2>& shape, const Placement& place) {
     if (place.bend.empty()) return placed(shape, place.angle, place.centre);
     std::vector<Vec2> bent = shape;

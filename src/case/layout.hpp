@@ -22,6 +22,28 @@ struct Room {
     }
 };
 
+/// What is to be laid: outlines at rest (closed, about the origin, nodes at equal arc length), and
+/// which of them each cell has.
+struct Crowd {
+    std::vector<std::vector<Vec2>> shapes;
+    std::vector<int> shape_of;  ///< per cell
+
+    Crowd() = default;
+    /// All alike.
+    Crowd(const std::vector<Vec2>& shape, int count)
+        : shapes{shape}, shape_of(static_cast<std::size_t>(count), 0) {}
+    int count() const { return static_cast<int>(shape_of.size()); }
+    const std::vector<Vec2>& shape(int cell) const { return shapes[shape_of[cell]]; }
+    /// The first so many of them.
+    Crowd first(int count) const {
+        Crowd fewer = *this;
+        fewer.shape_of.resize(static_cast<std::size_t>(count));
+        return fewer;
+    }
+    /// Of all cells together, at rest [sites].
+    double area() const;
+};
+
 /// Where a cell stands, how it is turned [rad], and how it is bent there.
 struct Placement {
     Vec2 centre;

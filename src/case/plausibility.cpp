@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/units.hpp"
+#include "case/kinds.hpp"
 #include "case/membrane_of.hpp"
 
 namespace tt {
@@ -14,7 +15,7 @@ namespace {
 /// A number and where it usually lies: red blood cells in microvessels, microfluidic channels and
 /// rheometers, with the width that parameter studies take.
 struct Usual {
-    std::string_view name;
+    std::string name;
     double value = 0.0;
     double low = 0.0, high = 0.0;
     Dimension dimension;
@@ -36,18 +37,33 @@ std::vector<Usual> numbers_of_flow(const Case& c, const Choice& choice) {
     return list;
 }
 
-std::vector<Usual> numbers_of_cells(const Case& c, const Appraisal& a) {
-    std::vector<Usual> list{
-        {"cells.radius", c.cells.radius.si, 5e-7, 2e-5, Length::dimension},
-        {"cells.cytoplasm_viscosity", c.cells.cytoplasm_viscosity.si, 3e-4, 0.2,
-         Viscosity::dimension},
-        {"membrane.shear_modulus", c.membrane.shear_modulus.si, 2e-7, 2e-3, Tension::dimension},
-        {"the hematocrit", a.hematocrit, 0.0, 0.75, Dimension{}},
-    };
+void add_numbers_of_kind(const Case& c, std::vector<Usual>& list) {
+    list.push_back({"cells.radius", c.cells.radius.si, 5e-7, 2e-5, Length::dimension});
+    list.push_back({"cells.cytoplasm_viscosity", c.cells.cytoplasm_viscosity.si, 3e-4, 0.2,
+                    Viscosity::dimension});
+    list.push_back(
+        {"membrane.shear_modulus", c.membrane.shear_modulus.si, 2e-7, 2e-3, Tension::dimension});
     // Without bending stiffness is a choice, not a slip.
     if (c.membrane.bending_modulus.si > 0.0)
         list.push_back({"membrane.bending_modulus", c.membrane.bending_modulus.si, 1e-21, 2e-17,
                         BendingModulus::dimension});
+    if (const HardeningCase& hardening = c.membrane.hardening; !hardening.apply_to.empty()) {
+        list.push_back({"membrane.hardening.D", hardening.D, 1e-3, 10.0, Dimension{}});
+        list.push_back({"membrane.hardening.beta", hardening.beta, 0.1, 100.0, Dimension{}});
+    }
+}
+
+std::vector<Usual> numbers_of_cells(const Case& c, const Appraisal& a) {
+    std::size_t kind = 0;
+    std::vector<Usual> list{{"the hematocrit", a.hematocrit, 0.0, 0.75, Dimension{}}};
+    for (const Case& one : cases_by_kind(c)) {
+        const std::size_t n = list.size();
+        add_numbers_of_kind(one, list);
+        if (c.kinds.empty()) continue;
+        const std::string& name = c.kinds[kind++].name;
+        for (std::size_t k = n; k < list.size(); ++k)
+            list[k].name = fmt::format("{} of kind '{}'", list[k].name, name);
+    }
     if (const MorseContact* morse = c.contact.morse(); morse && a.cells > 1) {
         list.push_back({"contact.zero_force_distance", morse->zero_force_distance.si, 1e-8, 2e-6,
                         Length::dimension});
@@ -57,10 +73,6 @@ std::vector<Usual> numbers_of_cells(const Case& c, const Appraisal& a) {
     if (repels(c))
         list.push_back({"contact.repulsion_strength", c.contact.repulsion_strength.si, 0.0, 1e5,
                         decltype(c.contact.repulsion_strength)::dimension});
-    if (const HardeningCase& hardening = c.membrane.hardening; !hardening.apply_to.empty()) {
-        list.push_back({"membrane.hardening.D", hardening.D, 1e-3, 10.0, Dimension{}});
-        list.push_back({"membrane.hardening.beta", hardening.beta, 0.1, 100.0, Dimension{}});
-    }
     if (a.shear_number > 0.0)
         list.push_back({"G = mu k a / E_s", a.shear_number, 1e-3, 20.0, Dimension{}});
     return list;

@@ -25,9 +25,8 @@ constexpr int patience = 120;
 double snapped(double v) { return std::nearbyint(v * 0x1p24) * 0x1p-24; }
 Vec2 snapped(Vec2 v) { return {snapped(v.x), snapped(v.y)}; }
 
-std::vector<Vec2> coarse(const std::vector<Vec2>& shape) {
-    std::vector<Vec2> points =
-        at_equal_arc_length(shape, std::min(Edges::most, static_cast<int>(shape.size())));
+std::vector<Vec2> coarse(const std::vector<Vec2>& shape, int count) {
+    std::vector<Vec2> points = at_equal_arc_length(shape, count);
     for (Vec2& p : points) p = snapped(p);
     return points;
 }
@@ -49,27 +48,33 @@ double largest_distance(const std::vector<Vec2>& fine, const std::vector<Vec2>& 
 
 }  // namespace
 
-Pressing::Pressing(const std::vector<Vec2>& shape, const Room& room, double gap)
-    : box_(room.box),
-      walls_(room.walls),
-      shape_(coarse(shape)),
-      area_(area_of(shape_)),
-      thickness_(2.0 * area_ / perimeter_of(shape_)),
-      gap_(gap),
-      bulge_(largest_distance(shape, shape_)) {
-    points_ = static_cast<int>(shape_.size());
-    for (const Vec2 p : shape_) {
-        reach_ = std::max(reach_, norm(p));
-        gyration2_ +=
-            0.5 * dot(p, p) / points_;  // of the area; that of the outline is twice as large
+Pressing::Pressing(const std::vector<std::vector<Vec2>>& shapes, const Room& room, double gap)
+    : box_(room.box), walls_(room.walls), points_(Edges::most), thickness_(HUGE_VAL), gap_(gap) {
+    for (const auto& shape : shapes) points_ = std::min(points_, static_cast<int>(shape.size()));
+    for (const auto& shape : shapes) {
+        Form form;
+        form.shape = coarse(shape, points_);
+        form.area = area_of(form.shape);
+        form.thickness = 2.0 * form.area / perimeter_of(form.shape);
+        form.bulge = largest_distance(shape, form.shape);
+        for (const Vec2 p : form.shape) {
+            form.reach = std::max(form.reach, norm(p));
+            form.gyration2 +=
+                0.5 * dot(p, p) / points_;  // of the area; that of the outline is twice as large
+        }
+        reach_ = std::max(reach_, form.reach);
+        bulge_ = std::max(bulge_, form.bulge);
+        thickness_ = std::min(thickness_, form.thickness);
+        forms_.push_back(std::move(form));
     }
     dents_.resize(points_);
     weights_.resize(points_);
 }
 
-void Pressing::add(Vec2 centre, double angle) {
+void Pressing::add(int shape, Vec2 centre, double angle) {
     const Vec2 axis = snapped({std::cos(angle), std::sin(angle)});
     Cell cell;
+    cell.form = shape;
     cell.centre = centre;
     cell.axis = axis / norm(axis);
     cells_.push_back(std::move(cell));
@@ -86,7 +91,7 @@ Edges Pressing::edges_of(int cell) const {
 /// Point of the outline in the cell's own frame.
 Vec2 Pressing::at(const Cell& cell, int point) const {
     const int k = wrapped(point, points_);
-    const Vec2 place = scale_of(cell) * shape_[k];
+    const Vec2 place = scale_of(cell) * form_of(cell).shape[k];
     return cell.bend.empty() ? place : place + cell.bend[k];
 }
 
@@ -164,7 +169,7 @@ double Pressing::visit(int c) {
     }
     cell.pressed = deepest_;
     if (deepest_ < rest * gap_ && cell.bend.empty()) return deepest_;
-    const double most = longest_step * scale_ * reach_, length = norm(step_);
+    const double most = longest_step * scale_ * form_of(cell).reach, length = norm(step_);
     cell.centre += (length > most ? most / length : 1.0) * step_;
     cell.axis = turned_on(cell.axis, 0.5 * std::clamp(turn_, -longest_step, longest_step));
     if (spring_ < 1.0) bend(c);
@@ -183,7 +188,7 @@ bool Pressing::near_outline(int c, Vec2 point, double reach) const {
 /// Where the outlines of a cell and of another, moved by `shift`, come too near: at the nodes of
 /// either.
 void Pressing::find_pushes(int cell, int other, Vec2 shift) {
-    const double reach = gap_ + 2.0 * bulge_;
+    const double reach = gap_ + (form_of(cells_[cell]).bulge + form_of(cells_[other]).bulge);
     const Bounds &a = bounds_[cell], &b = bounds_[other];
     const Vec2 low{std::max(a.low.x, b.low.x + shift.x) - reach,
                    std::max(a.low.y, b.low.y + shift.y) - reach};
@@ -205,7 +210,7 @@ void Pressing::find_pushes(int cell, int other, Vec2 shift) {
 }
 
 void Pressing::find_wall_pushes(int cell) {
-    const double reach = gap_ + bulge_;
+    const double reach = gap_ + form_of(cells_[cell]).bulge;
     const Edges mine = edges_of(cell);
     for (int k = 0; k < points_; ++k) {
         if (walls_) {
@@ -242,7 +247,7 @@ void Pressing::yield(int cell, double share) {
     if (!(size2 > 0.0)) return;
     const double moment = cross(point, move) / (total * total);
     const double scale = scale_of(cells_[cell]);
-    const double inertia = scale * scale * gyration2_;
+    const double inertia = scale * scale * form_of(cells_[cell]).gyration2;
     const double arm2 = moment * moment * total * total / size2;
     step_ += share / (1.0 + arm2 / inertia) / total * move;
     turn_ += share * moment / (inertia + arm2);

@@ -11,7 +11,7 @@
 
 namespace tt {
 
-/// Cells that grow and give way: copies of an outline grow together from a small size, and each in
+/// Cells that grow and give way: copies of outlines grow together from a small size, and each in
 /// turn steps back and turns away from what presses on it. Where rigid outlines get stuck they
 /// begin to bend, softer and softer: a point that is pressed in moves in, the outline springs back
 /// in part, segments keep their length as far as they can, and the area of the cell stays. The gap
@@ -22,12 +22,12 @@ namespace tt {
 /// on every machine: the same bits everywhere.
 class Pressing {
 public:
-    /// `shape`: closed, about the origin, nodes at equal arc length. `gap`: to be left between two
-    /// membranes and to the walls, of which at least half is reached.
-    Pressing(const std::vector<Vec2>& shape, const Room& room, double gap);
+    /// `shapes`: as of a Crowd. `gap`: to be left between two membranes and to the walls, of which
+    /// at least half is reached.
+    Pressing(const std::vector<std::vector<Vec2>>& shapes, const Room& room, double gap);
 
     /// One more cell.
-    void add(Vec2 centre, double angle);
+    void add(int shape, Vec2 centre, double angle);
 
     /// Told after each sweep the share of their area that the cells have.
     using Watch = std::function<void(double filled)>;
@@ -44,7 +44,15 @@ private:
     /// Share of the gap by which neighbours may come nearer at the end.
     static constexpr double tolerance = 0.5;
 
+    /// An outline at rest.
+    struct Form {
+        std::vector<Vec2> shape;  ///< of a few points
+        double area = 0.0, gyration2 = 0.0, reach = 0.0, thickness = 0.0;
+        double bulge = 0.0;  ///< by how much the outline sticks out of that polygon
+    };
+
     struct Cell {
+        int form = 0;
         Vec2 centre;
         Vec2 axis;                               ///< cosine and sine of its angle
         std::vector<Vec2> bend;                  ///< as in Placement; empty: rigid
@@ -72,6 +80,7 @@ private:
     void hand_over_motion(Cell& cell) const;
     void hold_area(Cell& cell) const;
     double scale_of(const Cell& cell) const { return scale_ * cell.size; }
+    const Form& form_of(const Cell& cell) const { return forms_[cell.form]; }
     Vec2 at(const Cell& cell, int point) const;
     bool shrink_stuck();
     bool grow_anew();
@@ -82,10 +91,10 @@ private:
     Lattice box_;
     const Walls* walls_;
     int points_;
-    std::vector<Vec2> shape_;
-    double area_, gyration2_ = 0.0, reach_ = 0.0, thickness_;
+    std::vector<Form> forms_;
+    double reach_ = 0.0, bulge_ = 0.0;  ///< of them the largest
+    double thickness_;                  ///< of them the least
     double gap_;
-    double bulge_;  ///< by how much the outline sticks out of the polygon of `shape_`
     double scale_ = 1.0;
     double spring_ = 1.0;  ///< share by which a bent outline springs back a sweep; 1: rigid
     std::int64_t sweeps_ = 0, visits_ = 0;

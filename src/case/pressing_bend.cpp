@@ -50,11 +50,12 @@ void Pressing::spring_back(std::vector<Vec2>& bend) const {
 
 void Pressing::hold_lengths(Cell& cell) const {
     std::vector<Vec2>& bend = cell.bend;
+    const std::vector<Vec2>& shape = form_of(cell).shape;
     constexpr double share = 0.4;  // of the error, by each end
     for (int k = 0; k < points_; ++k) {
         const Vec2 edge = at(cell, k + 1) - at(cell, k);
         const double length = norm(edge);
-        const double wanted = scale_of(cell) * norm(shape_[wrapped(k + 1, points_)] - shape_[k]);
+        const double wanted = scale_of(cell) * norm(shape[wrapped(k + 1, points_)] - shape[k]);
         const Vec2 move = share * (wanted - length) / length * edge;
         bend[wrapped(k + 1, points_)] += move;
         bend[k] -= move;
@@ -63,16 +64,17 @@ void Pressing::hold_lengths(Cell& cell) const {
 
 /// The part of the bend that is a motion of the whole cell.
 void Pressing::hand_over_motion(Cell& cell) const {
+    const std::vector<Vec2>& shape = form_of(cell).shape;
     Vec2 mean;
     for (const Vec2 p : cell.bend) mean += p / points_;
     double spin = 0.0, inertia = 0.0;
     for (int k = 0; k < points_; ++k) {
         cell.bend[k] -= mean;
-        spin += cross(shape_[k], cell.bend[k]);
-        inertia += dot(shape_[k], shape_[k]);
+        spin += cross(shape[k], cell.bend[k]);
+        inertia += dot(shape[k], shape[k]);
     }
     spin /= inertia;
-    for (int k = 0; k < points_; ++k) cell.bend[k] -= spin * turned_left(shape_[k]);
+    for (int k = 0; k < points_; ++k) cell.bend[k] -= spin * turned_left(shape[k]);
     cell.centre += turned(cell.axis, mean);
     cell.axis = turned_on(cell.axis, 0.5 * spin / scale_of(cell));
 }
@@ -88,7 +90,7 @@ void Pressing::hold_area(Cell& cell) const {
         normals[k] = turned_right(after - before) / norm(after - before);
     }
     const double scale = scale_of(cell);
-    const double swell = (scale * scale * area_ - area) / length;
+    const double swell = (scale * scale * form_of(cell).area - area) / length;
     for (int k = 0; k < points_; ++k) bend[k] += swell * normals[k];
 }
 

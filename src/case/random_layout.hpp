@@ -20,16 +20,15 @@ struct RandomLayout {
 /// Told while cells are placed: their number and the share of their area that they have.
 using LayoutWatch = std::function<void(int cells, double filled)>;
 
-/// Grows `count` copies of `shape` (closed, about the origin, nodes at equal arc length) in the
-/// box: first as hard particles that wander (case/growth.hpp), as long as that is cheap; then
-/// pressed against each other (case/pressing.hpp). The same for the same seed, on every machine.
-RandomLayout lay_at_random(const std::vector<Vec2>& shape, int count, const Room& room,
-                           std::uint64_t seed, const LayoutWatch& watch = {});
+/// Grows a crowd in the box: first as hard particles that wander (case/growth.hpp), as long as that
+/// is cheap; then pressed against each other (case/pressing.hpp). The same for the same seed, on
+/// every machine.
+RandomLayout lay_at_random(const Crowd& crowd, const Room& room, std::uint64_t seed,
+                           const LayoutWatch& watch = {});
 
 /// The same, at full size. Throws CaseError where they do not fit, with a number of cells that
 /// does; `where` it was asked for.
-std::vector<Placement> random_placements(const std::vector<Vec2>& shape, int count,
-                                         const Room& room, std::uint64_t seed,
+std::vector<Placement> random_placements(const Crowd& crowd, const Room& room, std::uint64_t seed,
                                          const LayoutWatch& watch = {},
                                          const std::string& where = "[cells] layout = \"random\"");
 

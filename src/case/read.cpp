@@ -12,6 +12,7 @@
 #include "base/words.hpp"
 #include "base/units.hpp"
 #include "case/drawn_file.hpp"
+#include "case/kinds.hpp"
 #include "case/read_outline.hpp"
 #include "case/reader.hpp"
 #include "case/run_name.hpp"
@@ -41,6 +42,15 @@ void remove_excluded(TomlNode& root, std::string_view path) {
     }
 }
 
+/// The one of [[kind]] with this name, or of this number from 1 on.
+TomlNode* table_in_list(TomlNode& list, std::string_view name) {
+    for (std::size_t n = 0; n < list.items.size(); ++n) {
+        const TomlEntry* own = list.items[n].find("name");
+        if (own ? own->value.text == name : name == fmt::format("{}", n + 1)) return &list.items[n];
+    }
+    return nullptr;
+}
+
 /// Puts "table.key=value" into the tree as if the file had it.
 void apply_override(TomlNode& root, const std::string& text, std::vector<Fault>& faults) {
     const std::string origin = origin_of(text);
@@ -56,12 +66,25 @@ void apply_override(TomlNode& root, const std::string& text, std::vector<Fault>&
     }
     TomlNode* table = &root;
     for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (table->kind == Kind::array) {
+            TomlNode* item = table_in_list(*table, keys[i]);
+            if (!item || i + 1 == keys.size()) {
+                faults.push_back({origin, 0, 0,
+                                  fmt::format("there is no [[{}]] '{}' of which a key could be set",
+                                              fmt::join(keys.begin(), keys.begin() + i, "."),
+                                              readable(keys[i]))});
+                return;
+            }
+            table = item;
+            continue;
+        }
         TomlEntry* entry = table->find(keys[i]);
         if (entry == nullptr) {
             table->entries.push_back({std::string(keys[i]), 0, 0, {}, origin});
             entry = &table->entries.back();
         }
-        if (i + 1 < keys.size() && entry->value.kind != Kind::table) {
+        const bool list = entry->value.kind == Kind::array;
+        if (i + 1 < keys.size() && entry->value.kind != Kind::table && !list) {
             entry->origin = origin;
             entry->value = TomlNode{};  // the reader tells that it is no table
         }
@@ -171,31 +194,41 @@ void add_sections_of_shape(Case& c) {
     add(drawing->forks, c.forks);
 }
 
-/// The outline that `cells.file` names, into the case. Its own area is the size of the cells.
-/// Returns what is wrong with it.
-std::vector<Fault> read_shape_file(Case& c, const Places& places) {
-    CellsCase& cells = c.cells;
+/// The outline that `file` of the table `path` names, into it. Its own area is the size of the
+/// cells. Returns what is wrong with it.
+std::vector<Fault> read_shape_file(CellTypeCase& cells, const std::string& path,
+                                   const Places& places) {
     auto* shape = std::get_if<OutlineShape>(&cells.shape);
     if (!shape || shape->file.empty()) return {};
     try {
-        const std::filesystem::path path = shape->file;
-        shape->outline = read_outline(read_file(path, Author::user), shown(path), *shape);
+        const std::filesystem::path file = shape->file;
+        shape->outline = read_outline(read_file(file, Author::user), shown(file), *shape);
     } catch (const CaseError& error) {
         return error.faults();
     } catch (const IoError& error) {
-        Fault fault = places.at("cells.file");
+        const auto place = places.find(path + ".file");  // else that of [cells]
+        Fault fault = place != places.end() ? place->second : places.at("cells.file");
         fault.message = fmt::format("{}; file names the points of an outline", error.what());
         return {fault};
     }
     const Length radius{measures_of(*shape->outline).radius};
-    if (places.count("cells.radius") > 0 &&
+    if (places.count(path + ".radius") > 0 &&
         std::abs(cells.radius.si - radius.si) > 1e-6 * radius.si)
         shape->outline->remarks.push_back(fmt::format(
-            "radius = {} in [cells] is not used: the outline of {} has the area of a circle of {}. "
+            "radius = {} in [{}] is not used: the outline of {} has the area of a circle of {}. "
             "Leave radius out.",
-            to_text(cells.radius), shape->outline->file, rounded_text(radius)));
+            to_text(cells.radius), path, shape->outline->file, rounded_text(radius)));
     cells.radius = radius;
     return {};
+}
+
+/// The same of [cells] and of every kind.
+std::vector<Fault> read_shape_files(Case& c, const Places& places) {
+    std::vector<Fault> faults = read_shape_file(c.cells, "cells", places);
+    for (KindCase& kind : c.kinds)
+        for (Fault& fault : read_shape_file(kind, "kind." + kind.name, places))
+            faults.push_back(std::move(fault));
+    return faults;
 }
 
 }  // namespace
@@ -214,16 +247,17 @@ Case parse_case(std::string_view text, const std::string& name,
         reader.read_table(toml.root, nullptr, "", result);
         judge_name(toml.root, reader, result, name);
         judge_box(toml.root, reader, result, name);
-        if (auto* shape = std::get_if<OutlineShape>(&result.cells.shape);
-            shape && !shape->file.empty())
-            shape->file = (directory / shape->file).lexically_normal().string();
+        for (CellTypeCase* cells : cell_types(result))
+            if (auto* shape = std::get_if<OutlineShape>(&cells->shape);
+                shape && !shape->file.empty())
+                shape->file = (directory / shape->file).lexically_normal().string();
         if (auto* drawn = std::get_if<DrawnShape>(&result.geometry.shape);
             drawn && !drawn->file.empty())
             drawn->file = (directory / drawn->file).lexically_normal().string();
         const bool read = reader.faults.empty();
         std::vector<Fault> outline_faults;
         if (read && !directory.empty()) {
-            outline_faults = read_shape_file(result, reader.places);
+            outline_faults = read_shape_files(result, reader.places);
             for (Fault& fault : read_drawn(result, reader.places))
                 outline_faults.push_back(std::move(fault));
             for (Fault& fault : fit_box(result, reader.places))

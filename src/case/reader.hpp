@@ -28,6 +28,14 @@ void find_key(std::string_view key, const std::string& path, std::vector<std::st
     });
 }
 
+/// Listed tables of which each begins as a copy of something in S, which is read before.
+template <class S, class T>
+inline constexpr bool starts_as_copies = false;
+template <class S, class Item>
+inline constexpr bool starts_as_copies<S, std::vector<Item>> = requires(const S& s) {
+    Item::like(s);
+};
+
 /// Walks the tree along the field lists. Goes on after a fault; what could not be read keeps its
 /// default.
 template <TomlTable Root>
@@ -52,7 +60,9 @@ public:
                 constexpr bool choice = StructChoice<std::remove_cvref_t<decltype(value)>>;
                 if (field.key == entry.key) {
                     known = true;
-                    if constexpr (!choice) read_field(entry, join(path, field.key), field, value);
+                    if constexpr (!choice &&
+                                  !starts_as_copies<S, std::remove_cvref_t<decltype(value)>>)
+                        read_field(entry, join(path, field.key), field, value);
                 } else if constexpr (has_keys<std::remove_cvref_t<decltype(value)>>) {
                     known = known || read_key_of_choice(entry, table.find(field.key), path,
                                                         field.key, value);
@@ -63,6 +73,8 @@ public:
         for_each_field<S>([&](const auto& field) {
             auto& value = result.*field.member;
             const TomlEntry* entry = table.find(field.key);
+            if constexpr (starts_as_copies<S, std::remove_cvref_t<decltype(value)>>)
+                if (entry) read_listed_tables(*entry, join(path, field.key), result, value);
             if (entry == nullptr) read_absent(header, join(path, field.key), field, value);
             if constexpr (has_keys<std::remove_cvref_t<decltype(value)>>)
                 read_absent_of_choice(table, entry ? entry : header, path, field.key, value);
@@ -165,6 +177,8 @@ private:
                                         field.key, path, twice ? ", once" : ""));
         } else if constexpr (is_named_tables<T>) {
             read_named_tables(entry, path, result);
+        } else if constexpr (is_listed_tables<T>) {
+            read_listed_tables(entry, path, result, result);
         } else if constexpr (is_list<T> && TomlTable<item_type<T>>) {
             read_tables(entry, fmt::format("[{}]", path), result);
         } else {
@@ -207,6 +221,33 @@ private:
             const std::string name = join(path, item.key);
             places[name] = place(item, item.line, item.column);
             read_table(item.value, &item, name, result.back());
+        }
+    }
+
+    /// [[path]], once for each item: `name` in it names it.
+    template <class S, class T>
+    void read_listed_tables(const TomlEntry& entry, const std::string& path, const S& around,
+                            std::vector<T>& result) {
+        const auto refuse = [&](const TomlEntry& at) {
+            tell_key(at, fmt::format("write [[{}]] on a line of its own before each", path));
+        };
+        if (entry.value.kind != TomlNode::Kind::array) return refuse(entry);
+        for (const TomlNode& item : entry.value.items) {
+            const TomlEntry header{entry.key, item.line, item.column, {}, entry.origin};
+            if (item.kind != TomlNode::Kind::table) {
+                refuse(header);
+                continue;
+            }
+            if constexpr (starts_as_copies<S, std::vector<T>>)
+                result.push_back(T::like(around));
+            else
+                result.emplace_back();
+            const TomlEntry* name = item.find("name");
+            const std::string own =
+                join(path, name && !name->value.text.empty() ? name->value.text
+                                                             : fmt::format("{}", result.size()));
+            places[own] = place(header, header.line, header.column);
+            read_table(item, &header, own, result.back());
         }
     }
 

@@ -80,25 +80,40 @@ void collect_of_choice(std::string_view choice_key, KeyTable& table) {
     });
 }
 
+/// The fields of a struct that are no other table's too.
+template <class S, class F>
+void for_each_own_field(F&& f) {
+    if constexpr (requires { FieldList<S>::own; })
+        std::apply([&](const auto&... entry) { (f(entry), ...); }, FieldList<S>::own);
+    else
+        for_each_field<S>(f);
+}
+
 template <TomlTable S>
-void collect(const std::string& path, std::string_view meaning, std::vector<KeyTable>& tables) {
+void collect(const std::string& path, std::string_view meaning, std::vector<KeyTable>& tables,
+             const std::string& header) {
     const S defaults{};
-    KeyTable table{path, std::string(meaning), {}};
-    for_each_field<S>([&](const auto& field) {
+    KeyTable table{path, header, std::string(meaning), {}};
+    for_each_own_field<S>([&](const auto& field) {
         const auto& value = defaults.*field.member;
         using T = std::remove_cvref_t<decltype(value)>;
-        if constexpr (!TomlTable<T> && !is_named_tables<T>)
+        if constexpr (!TomlTable<T> && !is_tables<T>)
             table.keys.push_back(key_line(path, field, value));
         if constexpr (has_keys<T>) collect_of_choice<T>(field.key, table);
     });
     tables.push_back(std::move(table));
-    for_each_field<S>([&](const auto& field) {
+    for_each_own_field<S>([&](const auto& field) {
         using T = std::remove_cvref_t<decltype(defaults.*field.member)>;
+        const std::string name = full_name(path, field.key);
         if constexpr (TomlTable<T>) {
-            collect<T>(full_name(path, field.key), field.meaning, tables);
+            collect<T>(name, field.meaning, tables, fmt::format("[{}]", name));
         }
         if constexpr (is_named_tables<T>)
-            collect<item_type<T>>(full_name(path, field.key) + ".NAME", field.meaning, tables);
+            collect<item_type<T>>(name + ".NAME", field.meaning, tables,
+                                  fmt::format("[{}.NAME]", name));
+        if constexpr (is_listed_tables<T>)
+            collect<item_type<T>>(name + (requires(item_type<T> t) { t.name; } ? ".NAME" : ".N"),
+                                  field.meaning, tables, fmt::format("[[{}]]", name));
     });
 }
 
@@ -126,7 +141,7 @@ std::string listed(const std::vector<KeyTable>& tables) {
     std::string text;
     for (const KeyTable& table : tables) {
         const std::string header =
-            table.name.empty() ? table.meaning : fmt::format("[{}]  {}", table.name, table.meaning);
+            table.name.empty() ? table.meaning : fmt::format("{}  {}", table.header, table.meaning);
         text += fmt::format("{}{}\n", text.empty() ? "" : "\n", wrapped(header, width, 2));
         for (const KeyLine& line : table.keys) {
             text += fmt::format("  {}\n{}{}\n", line.example, margin,
@@ -161,7 +176,7 @@ const std::string_view how_to_write_values =
 
 std::vector<KeyTable> reference_tables() {
     std::vector<KeyTable> tables;
-    collect<Case>("", "keys at the top of the file", tables);
+    collect<Case>("", "keys at the top of the file", tables, "");
     return tables;
 }
 
@@ -187,8 +202,7 @@ std::string reference_markdown() {
         "holds both together.\n\n" +
         std::string(how_to_write_values) + "\n";
     for (const KeyTable& table : reference_tables()) {
-        const std::string header =
-            table.name.empty() ? "At the top" : fmt::format("[{}]", table.name);
+        const std::string header = table.name.empty() ? std::string("At the top") : table.header;
         text += fmt::format("\n## {}\n\n{}.\n\n| key | meaning | values |\n|---|---|---|\n", header,
                             table.meaning);
         for (const KeyLine& line : table.keys)

@@ -18,7 +18,8 @@ struct KeyLine {
 
 /// A table of the case file.
 struct KeyTable {
-    std::string name;  ///< "membrane.hardening"; empty for the top
+    std::string name;    ///< "membrane.hardening"; empty for the top
+    std::string header;  ///< "[membrane.hardening]", "[[kind]]"
     std::string meaning;
     std::vector<KeyLine> keys;
 };

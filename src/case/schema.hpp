@@ -171,6 +171,11 @@ struct FieldList<Case> {
                    "a second fluid along the bottom wall, without a membrane, for tests"},
         FieldEntry{"cells", &T::cells, "the red blood cells"},
         FieldEntry{"membrane", &T::membrane, "their membrane"},
+        FieldEntry{
+            "kind", &T::kinds,
+            "cells that are not all alike: one such table for each kind. Also any key of "
+            "[cells] from shape to cytoplasm_viscosity, and any of [membrane]; its hardening "
+            "is [kind.hardening]. What is not given is as there"},
         FieldEntry{"contact", &T::contact, "forces between cells"},
         FieldEntry{"numerics", &T::numerics, "how it is computed; all of it may be left out"},
         FieldEntry{"time", &T::time, "how long"},

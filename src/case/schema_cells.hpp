@@ -80,16 +80,9 @@ struct FieldList<AtPositions> {
 };
 
 template <>
-struct FieldList<CellsCase> {
-    using T = CellsCase;
+struct FieldList<CellTypeCase> {
+    using T = CellTypeCase;
     static constexpr auto entries = std::tuple{
-        FieldEntry{"count", &T::count, "how many", Range{1.0, 1e6}, {}, "12"},
-        FieldEntry{"hematocrit",
-                   &T::hematocrit,
-                   "area of the cells / area of the box, instead of count",
-                   Range{0.0, 0.9, true, false},
-                   {},
-                   "38 %"},
         FieldEntry{"shape", &T::shape, "stress-free shape"},
         FieldEntry{"radius",
                    &T::radius,
@@ -97,9 +90,6 @@ struct FieldList<CellsCase> {
                    Range{smallest_radius, 1e-3},
                    {},
                    "4 um"},
-        FieldEntry{"layout", &T::layout,
-                   "where they start: one in the middle, two rows as in the paper, at random, or "
-                   "at positions"},
         FieldEntry{"angle",
                    &T::angle,
                    "by which each is turned at the start, counter-clockwise",
@@ -113,7 +103,6 @@ struct FieldList<CellsCase> {
                    Range{1.0, 5.0},
                    {},
                    "1.5"},
-        FieldEntry{"seed", &T::seed, "of the random numbers", Range{0.0, 9e15}, {}, "1"},
         FieldEntry{"cytoplasm_viscosity",
                    &T::cytoplasm_viscosity,
                    "dynamic viscosity inside",
@@ -121,6 +110,30 @@ struct FieldList<CellsCase> {
                    {},
                    "6 cP"},
     };
+};
+
+inline constexpr Range cell_count{1.0, 1e6};
+
+template <>
+struct FieldList<CellsCase> {
+    using T = CellsCase;
+    static constexpr auto entries = std::tuple_cat(
+        std::tuple{
+            FieldEntry{"count", &T::count, "how many", cell_count, {}, "12"},
+            FieldEntry{"hematocrit",
+                       &T::hematocrit,
+                       "area of the cells / area of the box, instead of count",
+                       Range{0.0, 0.9, true, false},
+                       {},
+                       "38 %"},
+        },
+        FieldList<CellTypeCase>::entries,
+        std::tuple{
+            FieldEntry{"layout", &T::layout,
+                       "where they start: one in the middle, two rows as in the paper, at random, "
+                       "or at positions"},
+            FieldEntry{"seed", &T::seed, "of the random numbers", Range{0.0, 9e15}, {}, "1"},
+        });
 };
 
 template <>
@@ -178,6 +191,27 @@ struct FieldList<MembraneCase> {
 };
 
 template <>
+struct FieldList<KindCase> {
+    using T = KindCase;
+    /// What [cells] and [membrane] do not have.
+    static constexpr auto own = std::tuple{
+        FieldEntry{"name", &T::name, "of the kind, by which results and --set name it", any_value,
+                   "", "stiff"},
+        FieldEntry{"share",
+                   &T::share,
+                   "of the number of cells that count or hematocrit in [cells] asks for",
+                   Range{0.0, 1.0, true, false},
+                   {},
+                   "10 %"},
+        FieldEntry{"count", &T::count, "how many, instead of share", cell_count, {}, "3"},
+        FieldEntry{"positions", &T::positions, "the centre of each, with layout = \"explicit\"",
+                   Range{-0.1, 0.1}, "", "[[\"20 um\", \"10 um\"]]"},
+    };
+    static constexpr auto entries =
+        std::tuple_cat(own, FieldList<CellTypeCase>::entries, FieldList<MembraneCase>::entries);
+};
+
+template <>
 struct FieldList<MorseContact> {
     using T = MorseContact;
     static constexpr auto entries = std::tuple{
@@ -200,6 +234,29 @@ struct FieldList<MorseContact> {
                    contact_range,
                    {},
                    "2.5 um"},
+    };
+};
+
+template <>
+struct FieldList<ContactPairCase> {
+    using T = ContactPairCase;
+    static constexpr auto entries = std::tuple{
+        FieldEntry{"kinds", &T::kinds, "names of the two, or twice the same", any_value, "",
+                   "[\"white\", \"red\"]"},
+        FieldEntry{"zero_force_distance",
+                   &T::zero_force_distance,
+                   "r0 between them; auto: that of [contact]",
+                   Range{1e-9, 1e-4},
+                   {},
+                   "0.3 um"},
+        FieldEntry{
+            "decay", &T::decay, "beta of Eq. 16 between them", Range{1e3, 1e10}, {}, "3.84 /um"},
+        FieldEntry{"energy",
+                   &T::energy,
+                   "D_e between them; 0 where nothing attracts or repels",
+                   Range{0.0, 1.0},
+                   {},
+                   "0 J/m^2"},
     };
 };
 
@@ -229,6 +286,7 @@ struct FieldList<ContactCase> {
                    Range{0.0, 1e9},
                    {},
                    "1 kPa"},
+        FieldEntry{"pair", &T::pairs, "what is different between cells of two kinds"},
     };
 };
 

@@ -14,7 +14,7 @@ void write_table(const S& table, const std::string& path, std::string& text) {
     for_each_field<S>([&](const auto& field) {
         const auto& value = table.*field.member;
         using T = std::remove_cvref_t<decltype(value)>;
-        if constexpr (!TomlTable<T> && !is_named_tables<T>) {
+        if constexpr (!TomlTable<T> && !is_tables<T>) {
             const std::string written = value_text(value, field.example);
             const std::string line = written.empty()
                                          ? fmt::format("# {} = (auto or not given)", field.key)
@@ -43,7 +43,23 @@ void write_table(const S& table, const std::string& path, std::string& text) {
                 text += fmt::format("\n[{}]\n", name);
                 write_table(item, name, text);
             }
+        if constexpr (is_listed_tables<std::remove_cvref_t<decltype(value)>>)
+            for (const auto& item : value) {
+                const std::string name =
+                    path.empty() ? std::string(field.key) : fmt::format("{}.{}", path, field.key);
+                text += fmt::format("\n[[{}]]\n", name);
+                write_table(item, name, text);
+            }
     });
+}
+
+/// Of a table among its like: its name, or which it is.
+template <class S>
+std::string name_in_list(const S& table, std::size_t n) {
+    if constexpr (requires { table.name; })
+        return table.name;
+    else
+        return fmt::format("{}", n + 1);
 }
 
 template <TomlTable S>
@@ -55,6 +71,9 @@ void write_lines(const S& table, const std::string& path, std::string& text) {
             write_lines(value, key + ".", text);
         } else if constexpr (is_named_tables<std::remove_cvref_t<decltype(value)>>) {
             for (const auto& item : value) write_lines(item, key + "." + item.name + ".", text);
+        } else if constexpr (is_listed_tables<std::remove_cvref_t<decltype(value)>>) {
+            for (std::size_t n = 0; n < value.size(); ++n)
+                write_lines(value[n], key + "." + name_in_list(value[n], n) + ".", text);
         } else {
             const std::string written = value_text(value, field.example);
             text += fmt::format("{} = {}\n", key, written.empty() ? "auto" : written);

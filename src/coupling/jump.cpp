@@ -79,22 +79,18 @@ TT_CLONES void correct_between(const JumpCorrection& jump, const Nodes& nodes, i
 
 }  // namespace
 
-JumpCorrection jump_correction(const Delta& delta, const ViscosityModel& viscosity) {
-    const double outside = 1.0 / viscosity.plasma, inside = 1.0 / viscosity.cytoplasm;
+JumpCorrection jump_correction(const Delta& delta, double plasma, double cytoplasm) {
+    const double outside = 1.0 / plasma, inside = 1.0 / cytoplasm;
     const KernelSpread spread = std::visit([](const auto& kernel) { return kernel.spread; }, delta);
     return {true, 0.5 * (outside + inside), outside - inside, spread};
 }
 
-void set_dipoles(const JumpCorrection& jump, Suspension& cells) {
-    if (!jump.has_dipole()) return;
+void set_dipoles(const JumpCorrection& jump, Suspension& cells, int cell) {
     const Nodes m = nodes_of(cells);
-    const auto [begin, end] = own_cells(cells);
-    for (int c = begin; c < end; ++c) {
-        const int head = cells.first[c], tail = cells.first[c + 1] - 1;
-        set_dipoles_between(jump, m, head + 1, tail);
-        set_dipole(jump, m, tail, head, head + 1);
-        set_dipole(jump, m, tail - 1, tail, head);
-    }
+    const int head = cells.first[cell], tail = cells.first[cell + 1] - 1;
+    set_dipoles_between(jump, m, head + 1, tail);
+    set_dipole(jump, m, tail, head, head + 1);
+    set_dipole(jump, m, tail - 1, tail, head);
 }
 
 void correct_velocities(const JumpCorrection& jump, Suspension& cells, int cell) {

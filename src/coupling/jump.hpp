@@ -1,7 +1,6 @@
 #pragma once
 
 #include "coupling/delta/delta.hpp"
-#include "coupling/viscosity.hpp"
 #include "membrane/suspension.hpp"
 
 namespace tt {
@@ -28,10 +27,11 @@ struct JumpCorrection {
     bool has_dipole() const { return active && fluidity_jump != 0.0; }
 };
 
-JumpCorrection jump_correction(const Delta& delta, const ViscosityModel& viscosity);
+/// For a membrane between plasma and a cytoplasm of these viscosities.
+JumpCorrection jump_correction(const Delta& delta, double plasma, double cytoplasm);
 
-/// (i): sets the nodes' dipoles from their forces. Team function, by cells.
-void set_dipoles(const JumpCorrection& jump, Suspension& cells);
+/// (i): sets the dipoles of the nodes of one cell from their forces.
+void set_dipoles(const JumpCorrection& jump, Suspension& cells, int cell);
 
 /// (ii): corrects the interpolated node velocities of one cell.
 void correct_velocities(const JumpCorrection& jump, Suspension& cells, int cell);

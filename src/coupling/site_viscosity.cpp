@@ -17,24 +17,25 @@ double plain_viscosity(const ViscosityModel& model, int j) {
     return HarmonicMean{}(model.plasma, model.layer_viscosity, share);
 }
 
-/// One row of what depends on the fractions.
+/// One row of what depends on the cytoplasm.
 template <class Real>
-struct FractionRow {
+struct CytoplasmRow {
     int nx;
-    double plain, cytoplasm;  ///< viscosities
-    double* __restrict fraction;
+    double plain;  ///< viscosity without cells
+    CytoplasmWeight cell;
+    double* __restrict cytoplasm;
     Real* __restrict even;
     Real* __restrict odd;
 };
 
-/// Sets what follows from the fractions of the sites [begin, end) of a row.
+/// Sets what follows from the cytoplasm of the sites [begin, end) of a row.
 template <class Mean, class Rule, class Real>
-TT_INLINE void set_rates(const Mean& mean, const Rule& collision, const FractionRow<Real>& row,
+TT_INLINE void set_rates(const Mean& mean, const Rule& collision, const CytoplasmRow<Real>& row,
                          int begin, int end) {
-    const FractionRow<Real> to = row;
+    const CytoplasmRow<Real> to = row;
     for (int i = begin; i < end; ++i) {
-        const double f = lesser(1.0, greater(0.0, to.fraction[i]));
-        const Rates rates = collision.rates(mean(to.plain, to.cytoplasm, f));
+        const double f = lesser(1.0, greater(to.cell.lowest, to.cytoplasm[i]));
+        const Rates rates = collision.rates(mean(to.plain, to.cell.viscosity, f));
         to.even[i] = static_cast<Real>(rates.even);
         to.odd[i] = static_cast<Real>(rates.odd);
     }
@@ -48,11 +49,11 @@ TT_INLINE bool differ(const double* a, const double* b, int count) {
     return bits != 0;
 }
 
-/// Adds (now − before) to the fractions of `count` sites of a row from `column` on, and sets what
-/// follows where that changes them. Most of a row is far from the membrane and unchanged, so it is
+/// Adds w (now − before) to the cytoplasm of `count` sites of a row from `column` on, and sets what
+/// follows where that changes it. Most of a row is far from the membrane and unchanged, so it is
 /// taken in blocks.
 template <class Mean, class Rule, class Real>
-TT_CLONES void change_run(const Mean& mean, const Rule& collision, const FractionRow<Real>& row,
+TT_CLONES void change_run(const Mean& mean, const Rule& collision, const CytoplasmRow<Real>& row,
                           int column, const double* __restrict now, const double* __restrict before,
                           int count) {
     constexpr int block = Patch::lanes;
@@ -60,14 +61,16 @@ TT_CLONES void change_run(const Mean& mean, const Rule& collision, const Fractio
         return k + block <= count ? differ(now + k, before + k, block)
                                   : differ(now + k, before + k, count - k);
     };
-    double* const __restrict fraction = row.fraction + column;
+    double* const __restrict cytoplasm = row.cytoplasm + column;
+    const double weight = row.cell.weight;
     for (int k = 0; k < count; k += block) {
         if (!changed(k)) continue;
         const int first = k;
         do k += block;
         while (k < count && changed(k));
         const int last = std::min(k, count);
-        for (int n = first; n < last; ++n) fraction[n] += now[n] - before[n];
+        for (int n = first; n < last; ++n)
+            cytoplasm[n] += quantised(weight * now[n]) - quantised(weight * before[n]);
         set_rates(mean, collision, row, column + first, column + last);
     }
 }
@@ -78,12 +81,13 @@ struct Target {
     const ViscosityModel& model;
     const Mean& mean;
     const Rule& collision;
-    Field<>& fraction;
+    CytoplasmWeight cell;
+    Field<>& cytoplasm;
     Relaxation<Real>& relaxation;
 
     /// Row `j` of the box, columns `column` … unwrapped.
     void change_row(int j, int column, int count, const double* now, const double* before) const {
-        const FractionRow<Real> to = row(j);
+        const CytoplasmRow<Real> to = row(j);
         for (int done = 0; done < count;) {
             const int i = wrapped(column + done, to.nx);
             const int run = std::min(count - done, to.nx - i);
@@ -92,9 +96,9 @@ struct Target {
         }
     }
 
-    FractionRow<Real> row(int j) const {
-        return {fraction.lattice().nx, plain_viscosity(model, j), model.cytoplasm,
-                fraction.row(j),       relaxation.even.row(j),    relaxation.odd.row(j)};
+    CytoplasmRow<Real> row(int j) const {
+        return {cytoplasm.lattice().nx, plain_viscosity(model, j), cell,
+                cytoplasm.row(j),       relaxation.even.row(j),    relaxation.odd.row(j)};
     }
 };
 
@@ -128,7 +132,7 @@ void change_moved_row(const T& target, const Patch& now, const Patch& before, in
 
 template <class T>
 void change_rows(const T& target, const Patch& now, const Patch& before, std::pair<int, int> rows) {
-    const Lattice& lattice = target.fraction.lattice();
+    const Lattice& lattice = target.cytoplasm.lattice();
     const bool still = now.same_place(before);
     const int begin = before.height == 0 ? now.j : std::min(now.j, before.j);
     const int end =
@@ -143,13 +147,14 @@ void change_rows(const T& target, const Patch& now, const Patch& before, std::pa
     }
 }
 
-/// Calls `f(target)` with the model's mean and collision operator resolved.
+/// Calls `f(target)` with the model's mean and collision operator resolved, for cells of a kind.
 template <class Real, class F>
-void with_target(const ViscosityModel& model, Field<>& fraction, Relaxation<Real>& relaxation,
-                 F&& f) {
+void with_target(const ViscosityModel& model, int kind, Field<>& cytoplasm,
+                 Relaxation<Real>& relaxation, F&& f) {
+    const CytoplasmWeight weight = cytoplasm_weight(model, kind);
     std::visit(
         [&]<class Mean, class Rule>(const Mean& mean, const Rule& rule) {
-            f(Target<Mean, Rule, Real>{model, mean, rule, fraction, relaxation});
+            f(Target<Mean, Rule, Real>{model, mean, rule, weight, cytoplasm, relaxation});
         },
         model.mean, model.collision);
 }
@@ -157,26 +162,26 @@ void with_target(const ViscosityModel& model, Field<>& fraction, Relaxation<Real
 }  // namespace
 
 template <class Real>
-void set_all_rates(const ViscosityModel& model, Field<>& fraction, Relaxation<Real>& relaxation) {
-    const Lattice& lattice = fraction.lattice();
-    with_target(model, fraction, relaxation, [&](const auto& target) {
+void set_all_rates(const ViscosityModel& model, Field<>& cytoplasm, Relaxation<Real>& relaxation) {
+    const Lattice& lattice = cytoplasm.lattice();
+    with_target(model, 0, cytoplasm, relaxation, [&](const auto& target) {
         for (int j = 0; j < lattice.ny; ++j)
             set_rates(target.mean, target.collision, target.row(j), 0, lattice.nx);
     });
 }
 
 template <class Real>
-void change_patch(const ViscosityModel& model, const Patch& now, const Patch& before,
-                  std::pair<int, int> rows, Field<>& fraction, Relaxation<Real>& relaxation) {
-    with_target(model, fraction, relaxation,
+void change_patch(const ViscosityModel& model, int kind, const Patch& now, const Patch& before,
+                  std::pair<int, int> rows, Field<>& cytoplasm, Relaxation<Real>& relaxation) {
+    with_target(model, kind, cytoplasm, relaxation,
                 [&](const auto& target) { change_rows(target, now, before, rows); });
 }
 
 template void set_all_rates(const ViscosityModel&, Field<>&, Relaxation<double>&);
-template void change_patch(const ViscosityModel&, const Patch&, const Patch&, std::pair<int, int>,
-                           Field<>&, Relaxation<double>&);
+template void change_patch(const ViscosityModel&, int, const Patch&, const Patch&,
+                           std::pair<int, int>, Field<>&, Relaxation<double>&);
 template void set_all_rates(const ViscosityModel&, Field<>&, Relaxation<float>&);
-template void change_patch(const ViscosityModel&, const Patch&, const Patch&, std::pair<int, int>,
-                           Field<>&, Relaxation<float>&);
+template void change_patch(const ViscosityModel&, int, const Patch&, const Patch&,
+                           std::pair<int, int>, Field<>&, Relaxation<float>&);
 
 }  // namespace tt

@@ -80,10 +80,42 @@ void refresh_cell(const ViscosityModel& model, const Suspension& cells, Interior
     if (!patch.refreshed) return;
     look_ahead(cells, first, count, model.refresh_distance, interior);
     patch.refreshed =
-        lay_cell(model, interior.fraction.lattice(), kept_outline(cells, interior, cell), patch);
+        lay_cell(model, interior.cytoplasm.lattice(), kept_outline(cells, interior, cell), patch);
 }
 
 }  // namespace
+
+CytoplasmWeight cytoplasm_weight(const ViscosityModel& model, int kind) {
+    const auto excess = [&](double viscosity) {
+        return std::visit([&](const auto& mean) { return mean.excess(model.plasma, viscosity); },
+                          model.mean);
+    };
+    double whole = 0.0;
+    CytoplasmWeight result{model.cytoplasm.front()};
+    for (const double viscosity : model.cytoplasm) {
+        if (!(std::abs(excess(viscosity)) > std::abs(whole))) continue;
+        whole = excess(viscosity);
+        result.viscosity = viscosity;
+    }
+    if (whole == 0.0) return result;
+    result.weight = excess(model.cytoplasm[kind]) / whole;
+    for (const double viscosity : model.cytoplasm)
+        result.lowest = std::min(result.lowest, excess(viscosity) / whole);
+    return result;
+}
+
+Field<> fraction_inside(const InteriorState& interior) {
+    const Lattice& lattice = interior.cytoplasm.lattice();
+    Field<> fraction(lattice);
+    for (const CellPatch& cell : interior.patches)
+        for (int r = 0; r < cell.now.height; ++r) {
+            const int j = lattice.row_in_box(cell.now.j + r);
+            if (j < 0 || j >= lattice.ny) continue;
+            for (int c = 0; c < cell.now.width; ++c)
+                fraction.row(j)[wrapped(cell.now.i + c, lattice.nx)] += cell.now.row(r)[c];
+        }
+    return fraction;
+}
 
 template <class Real>
 void rebuild_viscosity(const ViscosityModel& model, const Suspension& cells,
@@ -98,14 +130,14 @@ void restore_viscosity(const ViscosityModel& model, const Suspension& cells,
                        InteriorState& interior, Relaxation<Real>& relaxation) {
     TT_EXPECTS(interior.x.size() == cells.x.size() && interior.y.size() == cells.y.size());
     const Lattice& lattice = relaxation.even.lattice();
-    interior.fraction = Field<>(lattice);
+    interior.cytoplasm = Field<>(lattice);
     interior.patches.assign(cells.cell_count(), {});
-    set_all_rates(model, interior.fraction, relaxation);
+    set_all_rates(model, interior.cytoplasm, relaxation);
     for (int cell = 0; cell < cells.cell_count(); ++cell) {
         CellPatch& patch = interior.patches[cell];
         if (lay_cell(model, lattice, kept_outline(cells, interior, cell), patch))
-            change_patch(model, patch.now, patch.before, {0, lattice.ny}, interior.fraction,
-                         relaxation);
+            change_patch(model, cells.kind[cell], patch.now, patch.before, {0, lattice.ny},
+                         interior.cytoplasm, relaxation);
     }
 }
 
@@ -116,23 +148,26 @@ void lay_cytoplasm(const ViscosityModel& model, const Suspension& cells, Interio
 }
 
 template <class Real>
-void update_viscosity(const ViscosityModel& model, InteriorState& interior,
+void update_viscosity(const ViscosityModel& model, const Suspension& cells, InteriorState& interior,
                       Relaxation<Real>& relaxation) {
-    const auto rows = own_rows(interior.fraction.lattice());
-    for (const CellPatch& patch : interior.patches)
-        if (patch.refreshed)
-            change_patch(model, patch.now, patch.before, rows, interior.fraction, relaxation);
+    const auto rows = own_rows(interior.cytoplasm.lattice());
+    for (int cell = 0; cell < cells.cell_count(); ++cell)
+        if (const CellPatch& patch = interior.patches[cell]; patch.refreshed)
+            change_patch(model, cells.kind[cell], patch.now, patch.before, rows, interior.cytoplasm,
+                         relaxation);
 }
 
 template void rebuild_viscosity(const ViscosityModel&, const Suspension&, InteriorState&,
                                 Relaxation<double>&);
 template void restore_viscosity(const ViscosityModel&, const Suspension&, InteriorState&,
                                 Relaxation<double>&);
-template void update_viscosity(const ViscosityModel&, InteriorState&, Relaxation<double>&);
+template void update_viscosity(const ViscosityModel&, const Suspension&, InteriorState&,
+                               Relaxation<double>&);
 template void rebuild_viscosity(const ViscosityModel&, const Suspension&, InteriorState&,
                                 Relaxation<float>&);
 template void restore_viscosity(const ViscosityModel&, const Suspension&, InteriorState&,
                                 Relaxation<float>&);
-template void update_viscosity(const ViscosityModel&, InteriorState&, Relaxation<float>&);
+template void update_viscosity(const ViscosityModel&, const Suspension&, InteriorState&,
+                               Relaxation<float>&);
 
 }  // namespace tt

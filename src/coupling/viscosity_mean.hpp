@@ -14,6 +14,8 @@ struct ArithmeticMean {
     TT_INLINE double operator()(double plasma, double cytoplasm, double fraction) const {
         return plasma + (cytoplasm - plasma) * fraction;
     }
+    /// What of a full site adds up where several fluids share one.
+    double excess(double plasma, double cytoplasm) const { return cytoplasm - plasma; }
     friend bool operator==(const ArithmeticMean&, const ArithmeticMean&) = default;
 };
 
@@ -24,6 +26,7 @@ struct HarmonicMean {
     TT_INLINE double operator()(double plasma, double cytoplasm, double fraction) const {
         return plasma * cytoplasm / (cytoplasm + (plasma - cytoplasm) * fraction);
     }
+    double excess(double plasma, double cytoplasm) const { return 1.0 / cytoplasm - 1.0 / plasma; }
     friend bool operator==(const HarmonicMean&, const HarmonicMean&) = default;
 };
 

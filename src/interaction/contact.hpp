@@ -23,14 +23,21 @@ using ContactLaw = std::variant<NoContact, Morse>;
 
 /// Everything between two cells, or between a cell and a wall. Lattice units.
 struct ContactModel {
-    ContactLaw law;
+    ContactLaw law;            ///< between any two cells …
+    std::vector<Morse> pairs;  ///< … but [kinds · own + other] where it depends on their kinds
     Nearest nearest = Nearest::segment;
     double range = 0.0;                  ///< query range R
     double repulsion_range = 0.0;        ///< short-range repulsion below this gap; 0: off
     double repulsion_strength = 0.0;     ///< its pressure at zero gap
+    int kinds = 1;                       ///< of cells
     int interval = 1;                    ///< steps from one measurement of the gaps to the next
     std::shared_ptr<const Walls> walls;  ///< of any shape; none: those of the lattice
 
+    /// All laws that act between two membranes.
+    std::vector<Morse> laws() const {
+        const auto* one = std::get_if<Morse>(&law);
+        return !one ? std::vector<Morse>{} : pairs.empty() ? std::vector<Morse>{*one} : pairs;
+    }
     /// How far apart two membranes can feel each other; 0: nothing to do.
     double reach() const {
         const double law_range = std::holds_alternative<NoContact>(law) ? 0.0 : range;

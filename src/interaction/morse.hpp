@@ -17,6 +17,8 @@ struct Morse {
     double zero_force_distance = 1.0;  ///< r₀
     bool scale_repulsion = false;      ///< hardening applies to contact (Table 1)
 
+    friend bool operator==(const Morse&, const Morse&) = default;
+
     TT_INLINE double pressure(double gap, double alpha) const {
         const double e = vector_exp(decay * (zero_force_distance - gap));
         const double plain = 2.0 * decay * energy * (e * e - e);

@@ -55,13 +55,30 @@ TT_CLONES void press(const Morse& law, double range, double alpha, ContactHits& 
     }
 }
 
-void set_pressures(const ContactModel& model, double alpha, CellContacts& mine) {
+/// The same where the law depends on the kind of the partner: `laws` are those of this cell's kind.
+TT_CLONES void press_by_kind(const Morse* laws, const std::int32_t* kind, double range,
+                             double alpha, ContactHits& hits) {
+    const int count = hits.count;
+#pragma omp simd
+    for (int k = 0; k < count; ++k) {
+        const Morse& law = laws[kind[hits.other[k]]];
+        const double pressure = law.pressure(hits.gap[k], law.scale_repulsion ? alpha : 1.0);
+        hits.pressure[k] = hits.gap[k] <= range ? pressure : 0.0;
+    }
+}
+
+void set_pressures(const ContactModel& model, const Suspension& cells, int cell,
+                   CellContacts& mine) {
+    const double alpha = cells.alpha[cell];
     ContactHits& hits = mine.hits;
     mine.smallest_gap = HUGE_VAL;
     mine.repelled = 0;
     for (int k = 0; k < hits.count; ++k)
         mine.smallest_gap = std::min(mine.smallest_gap, hits.gap[k]);
-    if (const auto* law = std::get_if<Morse>(&model.law))
+    if (!model.pairs.empty())
+        press_by_kind(&model.pairs[model.kinds * cells.kind[cell]], cells.kind.data(), model.range,
+                      alpha, hits);
+    else if (const auto* law = std::get_if<Morse>(&model.law))
         press(*law, model.range, law->scale_repulsion ? alpha : 1.0, hits);
     else
         std::fill_n(hits.pressure.begin(), hits.count, 0.0);
@@ -171,7 +188,7 @@ void measure_pair_forces(const ContactModel& model, const Lattice& lattice, Susp
         std::fill_n(&cells.pair_fy[node], count, 0.0);
         find_hits(model, cells, contact, c, drift);
         measure_hits(cells.x.data(), cells.y.data(), node, node + count - 1, mine.hits);
-        set_pressures(model, cells.alpha[c], mine);
+        set_pressures(model, cells, c, mine);
         if (model.repulsion_range > 0.0)
             mine.repelled += repel_from_walls(model, lattice, cells, c);
     }

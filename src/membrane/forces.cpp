@@ -183,26 +183,23 @@ double area_pressure(const Membrane& membrane, Suspension& cells, int cell) {
 
 }  // namespace
 
-void set_membrane_forces(const Membrane& membrane, Suspension& cells) {
+void set_membrane_forces(const Membrane& membrane, Suspension& cells, int cell) {
     thread_local std::vector<double> room;
     const Hardening& hardening = membrane.hardening;
-    const auto [begin, end] = own_cells(cells);
-    for (int c = begin; c < end; ++c) {
-        const Ring ring = lay_out(cells, c, room);
-        measure(ring);
-        for (double* array : {ring.edge_x, ring.edge_y, ring.length}) ring.close(array);
-        measure_cell(ring, cells.area[c], cells.perimeter[c]);
-        if (hardening.shear || hardening.bending) harden(hardening, ring);
-        ring.close(ring.alpha);
-        std::visit([&](const auto& law) { pull(law, hardening.shear, ring); }, membrane.in_plane);
-        std::visit([&](const auto& law) { bend(law, hardening.bending, ring); }, membrane.bending);
-        ring.close(ring.moment);
-        load_segments(ring);
-        for (double* array : {ring.load_x, ring.load_y}) ring.close(array);
-        const int first = cells.first[c];
-        std::copy_n(ring.stiffness, ring.count, &cells.stiffness[first]);
-        load_nodes(ring, area_pressure(membrane, cells, c), &cells.fx[first], &cells.fy[first]);
-    }
+    const Ring ring = lay_out(cells, cell, room);
+    measure(ring);
+    for (double* array : {ring.edge_x, ring.edge_y, ring.length}) ring.close(array);
+    measure_cell(ring, cells.area[cell], cells.perimeter[cell]);
+    if (hardening.shear || hardening.bending) harden(hardening, ring);
+    ring.close(ring.alpha);
+    std::visit([&](const auto& law) { pull(law, hardening.shear, ring); }, membrane.in_plane);
+    std::visit([&](const auto& law) { bend(law, hardening.bending, ring); }, membrane.bending);
+    ring.close(ring.moment);
+    load_segments(ring);
+    for (double* array : {ring.load_x, ring.load_y}) ring.close(array);
+    const int first = cells.first[cell];
+    std::copy_n(ring.stiffness, ring.count, &cells.stiffness[first]);
+    load_nodes(ring, area_pressure(membrane, cells, cell), &cells.fx[first], &cells.fy[first]);
 }
 
 }  // namespace tt

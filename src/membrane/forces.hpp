@@ -17,9 +17,8 @@ struct Membrane {
     double mobility = 0.0;        ///< m of membrane/implicit_tension.hpp; 0: tension is explicit
 };
 
-/// Sets fx, fy to the membrane forces of Eqs. 10–15, the stiffness of each segment, and area,
-/// perimeter and alpha of each cell.
-/// Team function, by cells.
-void set_membrane_forces(const Membrane& membrane, Suspension& cells);
+/// Sets fx, fy of a cell to the membrane forces of Eqs. 10–15, and the stiffness of each of its
+/// segments, its area, perimeter and alpha.
+void set_membrane_forces(const Membrane& membrane, Suspension& cells, int cell);
 
 }  // namespace tt

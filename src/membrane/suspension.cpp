@@ -51,6 +51,7 @@ void remove_cell(Suspension& cells, int cell) {
     for (const auto array : per_cell) (cells.*array).erase((cells.*array).begin() + cell);
     cells.id.erase(cells.id.begin() + cell);
     cells.led.erase(cells.led.begin() + cell);
+    cells.kind.erase(cells.kind.begin() + cell);
     cells.first.erase(cells.first.begin() + cell);
     for (int c = cell; c < static_cast<int>(cells.first.size()); ++c) cells.first[c] -= end - begin;
 }
@@ -61,6 +62,7 @@ void copy_cell(const Suspension& from, int cell, Vec2 by, Suspension& to) {
         (to.*array).insert((to.*array).end(), (from.*array).begin() + begin,
                            (from.*array).begin() + end);
     for (const auto array : per_cell) (to.*array).push_back((from.*array)[cell]);
+    to.kind.push_back(from.kind[cell]);
     to.first.push_back(first + end - begin);
     for (int n = first; n < to.first.back(); ++n) {
         to.x[n] += by.x;
@@ -69,7 +71,7 @@ void copy_cell(const Suspension& from, int cell, Vec2 by, Suspension& to) {
     number_last(to);
 }
 
-void add_cell(Suspension& cells, const std::vector<Vec2>& points) {
+void add_cell(Suspension& cells, const std::vector<Vec2>& points, int kind) {
     TT_EXPECTS(points.size() >= 8);
     const std::size_t n = points.size();
     double doubled_area = 0.0;
@@ -93,6 +95,7 @@ void add_cell(Suspension& cells, const std::vector<Vec2>& points) {
         zero->resize(cells.x.size(), 0.0);
     size_derived(cells);
     number_last(cells);
+    cells.kind.push_back(kind);
     cells.reference_area.push_back(0.5 * doubled_area);
     cells.reference_perimeter.push_back(perimeter);
     cells.alpha.push_back(1.0);

@@ -33,6 +33,7 @@ struct Suspension {
 
     // Per cell.
     std::vector<std::int32_t> id;             ///< its number for ever, whoever leaves
+    std::vector<std::int32_t> kind;           ///< of which of the model's kinds it is
     std::vector<std::uint8_t> led;            ///< 1: moved by the feed that it comes from
     std::vector<double> reference_area;       ///< A_ref
     std::vector<double> reference_perimeter;  ///< L₀, the sum of rest lengths
@@ -57,6 +58,13 @@ inline std::pair<int, int> own_nodes(const Suspension& cells) {
     return {cells.first[begin], cells.first[end]};
 }
 
+/// Calls f(cell) for each cell of this thread's share.
+template <class F>
+void for_own_cells(const Suspension& cells, F&& f) {
+    const auto [begin, end] = own_cells(cells);
+    for (int cell = begin; cell < end; ++cell) f(cell);
+}
+
 /// A read-only look at one cell's outline.
 struct Outline {
     std::span<const double> x, y;
@@ -73,7 +81,7 @@ inline Outline outline(const Suspension& cells, int cell) {
 /// Adds a cell whose nodes `points` are its stress-free shape: rest lengths and reference area are
 /// those of the polygon, rest curvature that of its nodes. Precondition: at least 8 points,
 /// counter-clockwise, simple.
-void add_cell(Suspension& cells, const std::vector<Vec2>& points);
+void add_cell(Suspension& cells, const std::vector<Vec2>& points, int kind = 0);
 
 /// Adds a copy of a cell of another suspension, moved, with the next id.
 void copy_cell(const Suspension& from, int cell, Vec2 by, Suspension& to);

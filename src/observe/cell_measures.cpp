@@ -89,8 +89,8 @@ void measure_stretch(const Suspension& cells, int cell, CellMeasures& m) {
 void measure_stress(const Model& model, const State& state, const PlasmaMap& plasma, int cell,
                     CellMeasures& m) {
     const MembraneStress stress = membrane_stress(model, state, plasma, cell);
-    const double modulus =
-        std::visit([](const auto& law) { return law.shear_modulus; }, model.membrane.in_plane);
+    const double modulus = std::visit([](const auto& law) { return law.shear_modulus; },
+                                      model.kind_of(state.cells, cell).membrane.in_plane);
     const double length = perimeter(outline(state.cells, cell));
     m.stress_traction = model.scales.to_si<Pressure>(stress.traction);
     m.stress_principal = model.scales.to_si<Pressure>(stress.principal);

@@ -74,7 +74,7 @@ Frame frame_of(const Snapshot& snapshot) {
     std::visit([&](const auto& sites) { add_flow(snapshot.model(), sites, frame); }, state.sites);
     frame.cytoplasm.resize(frame.pressure.size());
     // A run without cells has no field of cytoplasm.
-    if (state.interior.fraction.size() > 0) add_cytoplasm(state.interior.fraction, frame);
+    if (state.interior.cytoplasm.size() > 0) add_cytoplasm(fraction_inside(state.interior), frame);
     return frame;
 }
 

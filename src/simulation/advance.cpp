@@ -48,7 +48,8 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     // its place. So much less to bring into the cache.
     VectorField<Real>&force = sites.velocity, &velocity = sites.velocity;
     const Walls* const walls = m.boundaries.walls.get();
-    const Order order = m.jump.has_dipole() ? Order::first : Order::zeroth;
+    const Order order = m.has_dipoles() ? Order::first : Order::zeroth;
+    const auto kind_of = [&m, &s](int cell) -> const CellKind& { return m.kind_of(s.cells, cell); };
     const FeedPopulations<Real> feeds = [&s](int n) -> const Populations<Real>& {
         return std::get<Sites<Real>>(s.feeds[n].state.sites).populations;
     };
@@ -61,7 +62,9 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     if (times) times->start();
 
     // Each thread its share of the cells …
-    set_membrane_forces(m.membrane, s.cells);  // Eqs. 10–15
+    for_own_cells(s.cells, [&](int cell) {  // Eqs. 10–15
+        set_membrane_forces(kind_of(cell).membrane, s.cells, cell);
+    });
     done(Pass::membrane);
 
     add_pair_forces(m.contact, m.lattice, s.step, s.cells, s.contact);  // Eqs. 16–17
@@ -70,7 +73,8 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
 
     locate(m.delta, m.lattice, s.cells, sites.stencils);  // Eq. 8
     if (walls) cut_at_walls(*walls, s.cells, sites.stencils, sites.cut);
-    set_dipoles(m.jump, s.cells);
+    if (order == Order::first)
+        for_own_cells(s.cells, [&](int cell) { set_dipoles(kind_of(cell).jump, s.cells, cell); });
     if (walls) weaken_dipoles(sites.cut, s.cells);
     if (!s.feeds.empty()) take_loads(m, s, sites);
     done(Pass::locate);
@@ -85,7 +89,7 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     x.fold(force);
     done(Pass::spread);
 
-    update_viscosity(m.viscosity, s.interior, sites.relaxation);
+    update_viscosity(m.viscosity, s.cells, s.interior, sites.relaxation);
     done(Pass::viscosity);
 
     collide_and_stream(m.equilibrium, m.boundaries, s.drive.body_force * m.drive.direction, force,
@@ -98,21 +102,18 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     done(Pass::fluid);
 
     // … and of the cells again.
-    const auto [begin, end] = own_cells(s.cells);
-    for (int cell = begin; cell < end; ++cell) {
-        if (const Leader leader = leader_of(m, s, cell)) {
-            follow(leader, s.cells, cell);
-            continue;
-        }
+    for_own_cells(s.cells, [&](int cell) {
+        const auto& [name, membrane, jump] = kind_of(cell);
+        if (const Leader leader = leader_of(m, s, cell)) return follow(leader, s.cells, cell);
         interpolate(order, sites.stencils, velocity, s.cells, cell);  // Eq. 7
         if (walls) interpolate_cut(order, sites.cut, velocity, s.cells, cell);
-        correct_velocities(m.jump, s.cells, cell);
+        correct_velocities(jump, s.cells, cell);
         if (walls) weaken_corrections(sites.cut, s.cells, cell);
         average_in_time(s.cells, cell, first_step);
-        if (m.membrane.mobility > 0.0) answer_with_tension(m.membrane.mobility, s.cells, cell);
-        if (m.membrane.hold_area) hold_area(s.cells, cell);
+        if (membrane.mobility > 0.0) answer_with_tension(membrane.mobility, s.cells, cell);
+        if (membrane.hold_area) hold_area(s.cells, cell);
         move_nodes(s.cells, cell);
-    }
+    });
     done(Pass::move);
     if (health) {
         health->watch_nodes(m, s.cells);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,6 +36,13 @@ struct Drive {
         0.0;  ///< mean velocity to hold, or the nominal one; of a network the unit of `undisturbed`
 };
 
+/// What cells of one kind have in common; their cytoplasm is in ViscosityModel. Lattice units.
+struct CellKind {
+    std::string name;  ///< empty where there is but one
+    Membrane membrane;
+    JumpCorrection jump;
+};
+
 /// Everything that does not change during a run. Lattice units; `scales` leads back to SI.
 struct Model {
     Lattice lattice;
@@ -55,8 +63,7 @@ struct Model {
     Drive drive;
     ViscosityModel viscosity;
     Delta delta;
-    JumpCorrection jump;
-    Membrane membrane;
+    std::vector<CellKind> kinds{1};  ///< of cells
     ContactModel contact;
     double shear_rate =
         0.0;  ///< nominal k: wall shear rate, or pseudo-shear rate of a channel [1/step]
@@ -64,6 +71,14 @@ struct Model {
     /// Of plasma alone between walls of any shape; none of a straight channel.
     std::shared_ptr<const UndisturbedFlow> undisturbed;
 
+    const CellKind& kind_of(const Suspension& cells, int cell) const {
+        return kinds[static_cast<std::size_t>(cells.kind[cell])];
+    }
+    /// Whether the membrane of any kind has dipoles.
+    bool has_dipoles() const {
+        return std::any_of(kinds.begin(), kinds.end(),
+                           [](const CellKind& kind) { return kind.jump.has_dipole(); });
+    }
     /// Q ν/g of plasma alone.
     double conductance() const {
         const double height = lattice.ny;

@@ -116,6 +116,7 @@ void expect_sizes(const State& state) {
         if (per_node->size() != nodes) refuse("an array is not of one number per node");
     }
     const auto count = static_cast<std::size_t>(cells.cell_count());
+    if (cells.kind.size() != count) refuse("an array is not of one number per cell");
     for (const auto* per_cell : {&cells.reference_area, &cells.reference_perimeter, &cells.alpha,
                                  &cells.area, &cells.perimeter}) {
         if (per_cell->size() != count) refuse("an array is not of one number per cell");
@@ -133,6 +134,12 @@ void expect_finite(const State& state) {
     if (state.step < 0) refuse("its step is negative");
     if (!std::isfinite(state.drive.body_force) || !std::isfinite(state.drive.integral))
         refuse("its drive is not finite");
+}
+
+void expect_kinds(const Model& model, const Suspension& cells) {
+    for (const std::int32_t kind : cells.kind)
+        if (kind < 0 || kind >= static_cast<int>(model.kinds.size()))
+            refuse("a cell is of a kind that is not there");
 }
 
 /// Every node stands where the lattice can be asked for it: between the walls, and each cell within
@@ -153,9 +160,11 @@ void expect_places(const Lattice& lattice, const Suspension& cells) {
 
 /// Before anything is computed from it: what was saved from a sound run is sound, but a file may be
 /// forged, or have been in bad memory when its checksum was made.
-void expect_sound(const Lattice& lattice, const State& state) {
+void expect_sound(const Model& model, const State& state) {
+    const Lattice& lattice = model.lattice;
     expect_cells(state.cells);
     expect_sizes(state);
+    expect_kinds(model, state.cells);
     expect_finite(state);
     expect_places(lattice, state.cells);
     for (std::size_t n = 0; n < state.cells.x.size(); ++n) {
@@ -197,7 +206,8 @@ void save_state(ArchiveOutput& archive, const State& state, const std::string& p
                     [&](const char* name, auto value) { archive.put_value(prefix + name, value); });
     for_each_array(
         state, [&](const char* name, const auto& values) { archive.put(prefix + name, values); });
-    if (prefix.empty()) {  // the channel of a feed has none of these
+    archive.put(prefix + "kind", state.cells.kind);  // no part of the hash: alike kinds act alike
+    if (prefix.empty()) {                            // the channel of a feed has none of these
         save_ports(archive, state);
         save_sections(archive, state);
     }
@@ -226,7 +236,8 @@ State load_state(const ArchiveReader& archive, const Model& model, Exchange& exc
         values =
             archive.take<typename std::remove_cvref_t<decltype(values)>::value_type>(prefix + name);
     });
-    expect_sound(model.lattice, state);
+    state.cells.kind = archive.take<std::int32_t>(prefix + "kind");
+    expect_sound(model, state);
     number_cells(state.cells);
     if (prefix.empty()) {
         load_ports(archive, model, state);

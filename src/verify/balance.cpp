@@ -36,13 +36,13 @@ Sums sums_of(const Experiment& e) {
 
 Experiment crowded_shear(int threads) {
     Model m = plain_model({61, 43, true}, 1.0 / 3.0);
-    m.viscosity.cytoplasm = 5.0 / 3.0;
-    m.jump = jump_correction(m.delta, m.viscosity);
-    m.membrane.in_plane = NeoHookean{0.02};
-    m.membrane.bending = CurrentCurvature{0.01};
-    m.membrane.hardening = hardened_throughout(0.55, 16.0);
-    m.membrane.area_stiffness = 1.0;
-    m.membrane.hold_area = true;
+    m.viscosity.cytoplasm = {5.0 / 3.0};
+    m.kinds[0].jump = jump_correction(m.delta, m.viscosity.plasma, m.viscosity.cytoplasm[0]);
+    m.kinds[0].membrane.in_plane = NeoHookean{0.02};
+    m.kinds[0].membrane.bending = CurrentCurvature{0.01};
+    m.kinds[0].membrane.hardening = hardened_throughout(0.55, 16.0);
+    m.kinds[0].membrane.area_stiffness = 1.0;
+    m.kinds[0].membrane.hold_area = true;
     m.contact.law = Morse{1e-4, 0.8, 2.0, true};
     m.contact.range = 6.0;
     m.shear_rate = 2e-3;
@@ -56,11 +56,11 @@ Experiment crowded_shear(int threads) {
 
 Drift drift_of_relaxing_cell() {
     Model m = plain_model({48, 40, false}, 1.0 / 6.0);
-    m.viscosity.cytoplasm = 5.0 / 6.0;
-    m.jump = jump_correction(m.delta, m.viscosity);
-    m.membrane.in_plane = NeoHookean{0.02};
-    m.membrane.bending = CurrentCurvature{0.01};
-    m.membrane.area_stiffness = 0.5;
+    m.viscosity.cytoplasm = {5.0 / 6.0};
+    m.kinds[0].jump = jump_correction(m.delta, m.viscosity.plasma, m.viscosity.cytoplasm[0]);
+    m.kinds[0].membrane.in_plane = NeoHookean{0.02};
+    m.kinds[0].membrane.bending = CurrentCurvature{0.01};
+    m.kinds[0].membrane.area_stiffness = 0.5;
     Suspension cells;
     add_cell(cells, placed(circle(9.0, 57), 0.0, {23.7, 20.2}));
     for (double& x : cells.x) x = 23.7 + 1.25 * (x - 23.7);

@@ -51,10 +51,10 @@ JefferyOrbit jeffery_orbit(const StiffEllipse& scene) {
     const int side = static_cast<int>(std::lround(scene.box));
     constexpr double viscosity = 1.0 / 6.0;
     Model m = plain_model({side, side, true}, viscosity);
-    m.jump = jump_correction(m.delta, m.viscosity);
-    m.membrane.in_plane = Hookean{0.3 * viscosity};
-    m.membrane.bending = CurrentCurvature{2.0 * viscosity};
-    m.membrane.area_stiffness = 1.0;
+    m.kinds[0].jump = jump_correction(m.delta, m.viscosity.plasma, m.viscosity.cytoplasm[0]);
+    m.kinds[0].membrane.in_plane = Hookean{0.3 * viscosity};
+    m.kinds[0].membrane.bending = CurrentCurvature{2.0 * viscosity};
+    m.kinds[0].membrane.area_stiffness = 1.0;
     const double minor = scene.half_length / scene.axis_ratio;
     m.shear_rate = scene.reynolds * viscosity / (scene.half_length * scene.half_length);
     m.boundaries.top_speed = 0.5 * m.shear_rate * side;

@@ -20,10 +20,10 @@ using std::numbers::pi;
 Model drop_model(const DropScene& scene, double tension) {
     const int side = static_cast<int>(std::lround(scene.box));
     Model m = plain_model({side, side, true}, scene.viscosity);
-    m.viscosity.cytoplasm = scene.viscosity * scene.viscosity_ratio;
-    m.jump = jump_correction(m.delta, m.viscosity);
-    m.membrane.in_plane = SurfaceTension{tension};
-    m.membrane.area_stiffness = 1.0;
+    m.viscosity.cytoplasm = {scene.viscosity * scene.viscosity_ratio};
+    m.kinds[0].jump = jump_correction(m.delta, m.viscosity.plasma, m.viscosity.cytoplasm[0]);
+    m.kinds[0].membrane.in_plane = SurfaceTension{tension};
+    m.kinds[0].membrane.area_stiffness = 1.0;
     return m;
 }
 
@@ -32,7 +32,7 @@ Model drop_model(const DropScene& scene, double tension) {
 void pressurise(Experiment& drop, double pressure) {
     const Lattice& lattice = drop.model.lattice;
     const auto raise = [&](int k, int i, int j) {
-        const double gain = 3.0 * pressure * d2q9::weight[k] * drop.state.interior.fraction(i, j);
+        const double gain = 3.0 * pressure * d2q9::weight[k] * drop.state.interior.cytoplasm(i, j);
         std::visit(
             [&](auto& sites) {
                 sites.populations.set_slot(k, i, j, sites.populations.slot(k, i, j) + gain);
@@ -75,7 +75,7 @@ LaplacePressure laplace_pressure(double radius, double tension) {
     scene.box = std::round(5.0 * radius);
     Model m = drop_model(scene, tension);
     m.lattice.walls = false;
-    m.membrane.area_stiffness = 0.0;  // it would carry part of the pressure itself
+    m.kinds[0].membrane.area_stiffness = 0.0;  // it would carry part of the pressure itself
     Suspension cells;
     const Vec2 middle{0.5 * m.lattice.nx + 0.2, 0.5 * m.lattice.ny + 0.3};  // on no symmetric place
     add_cell(cells, placed(circle(radius, node_count(scene)), 0.0, middle));

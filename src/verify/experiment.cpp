@@ -44,7 +44,7 @@ Model plain_model(const Lattice& lattice, double viscosity) {
     Model m;
     m.lattice = lattice;
     m.viscosity.plasma = viscosity;
-    m.viscosity.cytoplasm = viscosity;
+    m.viscosity.cytoplasm = {viscosity};
     m.viscosity.layer_viscosity = viscosity;
     m.viscosity.interface = AreaFraction{};
     m.viscosity.mean = HarmonicMean{};

@@ -56,7 +56,7 @@ TEST(Allocations, none_in_the_viscosity_and_contact_passes_once_their_arrays_are
             random_cells::jiggle(cells, random, 0.02);
             add_pair_forces(contact_model, lattice, 0, cells, contact);
             lay_cytoplasm(viscosity, cells, interior);
-            update_viscosity(viscosity, interior, relaxation);
+            update_viscosity(viscosity, cells, interior, relaxation);
         }
         const long after = allocations;  // the assertions themselves allocate
         EXPECT_GT(before, 0);

@@ -36,7 +36,8 @@ Largest largest_velocities(const Delta& delta, double amplitude) {
     model.boundaries = {};
     model.shear_rate = 0.0;
     model.delta = delta;
-    model.jump = jump_correction(model.delta, model.viscosity);
+    model.kinds[0].jump =
+        jump_correction(model.delta, model.viscosity.plasma, model.viscosity.cytoplasm[0]);
     State state = small_state(model);
     add_stripes(model.lattice, amplitude, std::get<Sites<double>>(state.sites).populations);
     Periodic exchange;

@@ -171,7 +171,7 @@ ViscosityModel model_with(InterfaceViscosity interface, InteriorMethod interior 
     ViscosityModel model;
     model.interior = interior;
     model.interface = interface;
-    model.cytoplasm = 5.0 / 6.0;
+    model.cytoplasm = {5.0 / 6.0};
     model.refresh_distance = 0.0;
     return model;
 }
@@ -191,6 +191,8 @@ const InterfaceViscosity interfaces[] = {SharpInterface{}, SmoothedInterface{2.0
 void expect_update_equals_rebuild(Lattice lattice, const ViscosityModel& model, int threads,
                                   double step) {
     Suspension cells = random_cells::suspension(7, 4, 3, 30.0, 11.0, 70);
+    for (int c = 0; c < cells.cell_count(); ++c)
+        cells.kind[c] = c % static_cast<int>(model.cytoplasm.size());
     Random random(8);
     InteriorState interior, fresh;
     Relaxation relaxation(lattice), fresh_relaxation(lattice);
@@ -200,12 +202,12 @@ void expect_update_equals_rebuild(Lattice lattice, const ViscosityModel& model, 
         with_team(threads, [&] {
             lay_cytoplasm(model, cells, interior);
             team_barrier();
-            update_viscosity(model, interior, relaxation);
+            update_viscosity(model, cells, interior, relaxation);
         });
         fresh.x = interior.x;
         fresh.y = interior.y;
         restore_viscosity(model, cells, fresh, fresh_relaxation);
-        ASSERT_TRUE(same_bits(interior.fraction, fresh.fraction));
+        ASSERT_TRUE(same_bits(interior.cytoplasm, fresh.cytoplasm));
         ASSERT_TRUE(same_bits(relaxation.even, fresh_relaxation.even));
         ASSERT_TRUE(same_bits(relaxation.odd, fresh_relaxation.odd));
     }
@@ -246,7 +248,7 @@ TEST(Viscosity, does_not_depend_on_which_period_a_cell_is_in) {
             Relaxation relaxation(lattice);
             rebuild_viscosity(model_with(interface), cells, interior[periods ? 1 : 0], relaxation);
         }
-        EXPECT_TRUE(same_bits(interior[0].fraction, interior[1].fraction));
+        EXPECT_TRUE(same_bits(interior[0].cytoplasm, interior[1].cytoplasm));
     }
 }
 
@@ -259,13 +261,49 @@ TEST(Viscosity, is_plasma_outside_and_cytoplasm_inside) {
         Relaxation relaxation(lattice);
         const ViscosityModel model = model_with(interface);
         rebuild_viscosity(model, cells, interior, relaxation);
-        EXPECT_EQ(interior.fraction(62, 24), 1.0);
-        EXPECT_EQ(interior.fraction(3, 24), 1.0);  // across the periodic end
-        EXPECT_EQ(interior.fraction(32, 24), 0.0);
-        EXPECT_DOUBLE_EQ(relaxation.even(62, 24), even_rate(model.cytoplasm));
+        EXPECT_EQ(interior.cytoplasm(62, 24), 1.0);
+        EXPECT_EQ(interior.cytoplasm(3, 24), 1.0);  // across the periodic end
+        EXPECT_EQ(interior.cytoplasm(32, 24), 0.0);
+        EXPECT_DOUBLE_EQ(relaxation.even(62, 24), even_rate(model.cytoplasm[0]));
         EXPECT_DOUBLE_EQ(relaxation.even(32, 24), even_rate(model.plasma));
         EXPECT_DOUBLE_EQ(relaxation.odd(32, 24), Trt{}.odd_rate(even_rate(model.plasma)));
     }
+}
+
+TEST(Viscosity, of_several_kinds_is_updated_as_it_is_rebuilt) {
+    for (const ViscosityMean mean :
+         {ViscosityMean{HarmonicMean{}}, ViscosityMean{ArithmeticMean{}}}) {
+        ViscosityModel model = model_with(AreaFraction{});
+        model.mean = mean;
+        model.cytoplasm = {5.0 / 6.0, 0.3, 1.0 / 6.0, 0.05};  // plasma has 1/6
+        expect_update_equals_rebuild({128, 96, true}, model, 1, 0.3);
+        expect_update_equals_rebuild({128, 96, true}, model, 2, 0.3);
+    }
+}
+
+TEST(Viscosity, of_each_kind_is_that_of_a_model_with_this_kind_alone) {
+    const Lattice lattice{96, 48, true};
+    const std::vector<double> viscosities{5.0 / 6.0, 0.3, 1.0 / 6.0, 0.05};
+    for (const ViscosityMean mean :
+         {ViscosityMean{HarmonicMean{}}, ViscosityMean{ArithmeticMean{}}})
+        for (std::size_t k = 0; k < viscosities.size(); ++k) {
+            Suspension cells;
+            add_cell(cells, placed(circle(10.0, 64), 0.0, {30.3, 24.2}), static_cast<int>(k));
+            ViscosityModel several = model_with(AreaFraction{}), alone = several;
+            several.mean = alone.mean = mean;
+            several.cytoplasm = viscosities;
+            alone.cytoplasm = {viscosities[k]};
+            InteriorState interior;
+            Relaxation of_several(lattice), of_one(lattice);
+            rebuild_viscosity(several, cells, interior, of_several);
+            const Field fraction = fraction_inside(interior);
+            cells.kind[0] = 0;
+            rebuild_viscosity(alone, cells, interior, of_one);
+            EXPECT_TRUE(same_bits(fraction, interior.cytoplasm));
+            for (int j = 0; j < lattice.ny; ++j)
+                for (int i = 0; i < lattice.nx; ++i)
+                    ASSERT_NEAR(of_several.even(i, j), of_one.even(i, j), 2e-11) << i << " " << j;
+        }
 }
 
 TEST(Viscosity, a_cell_is_laid_anew_only_when_a_node_has_moved_far_enough) {
@@ -277,15 +315,15 @@ TEST(Viscosity, a_cell_is_laid_anew_only_when_a_node_has_moved_far_enough) {
     InteriorState interior;
     Relaxation relaxation(lattice);
     rebuild_viscosity(model, cells, interior, relaxation);
-    const Field before = interior.fraction;
+    const Field before = interior.cytoplasm;
     cells.x[5] += 0.09;
     lay_cytoplasm(model, cells, interior);
-    update_viscosity(model, interior, relaxation);
-    EXPECT_TRUE(same_bits(before, interior.fraction));
+    update_viscosity(model, cells, interior, relaxation);
+    EXPECT_TRUE(same_bits(before, interior.cytoplasm));
     cells.x[5] += 0.02;
     lay_cytoplasm(model, cells, interior);
-    update_viscosity(model, interior, relaxation);
-    EXPECT_FALSE(same_bits(before, interior.fraction));
+    update_viscosity(model, cells, interior, relaxation);
+    EXPECT_FALSE(same_bits(before, interior.cytoplasm));
     EXPECT_EQ(interior.x, cells.x);
 }
 
@@ -303,7 +341,7 @@ TEST(Viscosity, of_a_moving_cell_neither_lags_nor_leads_on_average) {
     for (int step = 0; step < steps; ++step) {
         for (int n = 0; n < cells.node_count(); ++n) cells.x[n] += cells.ux[n] = 0.03;
         lay_cytoplasm(model, cells, interior);
-        update_viscosity(model, interior, relaxation);
+        update_viscosity(model, cells, interior, relaxation);
         lag += cells.x[0] - interior.x[0];
         EXPECT_LE(std::abs(cells.x[0] - interior.x[0]), model.refresh_distance + 1e-12);
     }
@@ -319,11 +357,11 @@ TEST(Viscosity, keeps_the_last_good_field_when_positions_are_not_finite) {
         InteriorState interior;
         Relaxation relaxation(lattice);
         rebuild_viscosity(model, cells, interior, relaxation);
-        const Field before = interior.fraction;
+        const Field before = interior.cytoplasm;
         cells.y[7] = bad;
         lay_cytoplasm(model, cells, interior);
-        update_viscosity(model, interior, relaxation);
-        EXPECT_TRUE(same_bits(before, interior.fraction));
+        update_viscosity(model, cells, interior, relaxation);
+        EXPECT_TRUE(same_bits(before, interior.cytoplasm));
     }
 }
 

@@ -19,7 +19,7 @@ Field<> interior(const InteriorMethod& method, const Model& m, const State& s) {
     InteriorState interior;
     Relaxation relaxation(m.lattice);
     rebuild_viscosity(viscosity, s.cells, interior, relaxation);
-    return interior.fraction;
+    return interior.cytoplasm;
 }
 
 class EveryCaseWithCells : public testing::TestWithParam<const char*> {};

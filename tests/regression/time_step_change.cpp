@@ -22,8 +22,8 @@ Model with_step(double ratio, Equilibrium equilibrium) {
     model.scales = {model.scales.length, ratio * model.scales.time, ratio * model.scales.mass};
     model.boundaries.top_speed *= ratio;
     model.boundaries.bottom_speed *= ratio;
-    model.membrane.in_plane = NeoHookean{ratio * 2e-3};
-    model.membrane.area_stiffness *= ratio;
+    model.kinds[0].membrane.in_plane = NeoHookean{ratio * 2e-3};
+    model.kinds[0].membrane.area_stiffness *= ratio;
     model.shear_rate *= ratio;
     return model;
 }

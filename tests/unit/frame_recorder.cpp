@@ -41,7 +41,7 @@ TEST(FrameOf, holds_the_state_in_SI) {
             close(frame.velocity[2 * site], state.velocity(i, j).x * dx / dt);
             close(frame.velocity[2 * site + 1], state.velocity(i, j).y * dx / dt);
             close(frame.pressure[site], deviation[i] / 3.0 * density * dx * dx / (dt * dt));
-            close(frame.cytoplasm[site], state.interior.fraction.row(j)[i]);
+            close(frame.cytoplasm[site], state.interior.cytoplasm.row(j)[i]);
         }
     }
     EXPECT_GT(std::abs(frame.velocity[0]), 0.0f);

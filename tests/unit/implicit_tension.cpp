@@ -14,6 +14,11 @@
 namespace tt {
 namespace {
 
+/// Of all cells.
+void set_membrane_forces(const Membrane& membrane, Suspension& cells) {
+    for_own_cells(cells, [&](int cell) { tt::set_membrane_forces(membrane, cells, cell); });
+}
+
 constexpr double mobility = 5.0;
 
 /// A stretched ellipse with its stiffness set and random velocities.

@@ -24,7 +24,7 @@ namespace {
 Suspension packed(const std::vector<Vec2>& shape, int count, const Lattice& box,
                   std::uint64_t seed) {
     Suspension cells;
-    for (const Placement& place : random_placements(shape, count, box, seed))
+    for (const Placement& place : random_placements({shape, count}, box, seed))
         add_cell(cells, placed(shape, place));
     return cells;
 }
@@ -104,7 +104,7 @@ TEST(RandomLayout, keeps_its_bits) {
         const std::vector<Vec2> shape = circle(8.0, 50);
         const Lattice box = box_for(shape, count, hematocrit, 100);
         std::string bytes;
-        for (const Placement& place : random_placements(shape, count, box, 1))
+        for (const Placement& place : random_placements({shape, count}, box, 1))
             bytes += fmt::format("{:a} {:a} ", place.centre.x, place.centre.y);
         return checksum(bytes);
     };
@@ -117,7 +117,7 @@ TEST(RandomLayout, takes_work_in_proportion_to_the_number_of_cells) {
     const auto visits = [&](int count) {
         const auto side = static_cast<int>(std::sqrt(count * area_of(shape) / 0.45));
         const Lattice box = box_for(shape, count, 0.45, side);
-        return static_cast<double>(lay_at_random(shape, count, box, 1).visits) / count;
+        return static_cast<double>(lay_at_random({shape, count}, box, 1).visits) / count;
     };
     EXPECT_LT(visits(1600), 2.0 * visits(800));
     EXPECT_LT(visits(800), 50.0);
@@ -129,7 +129,7 @@ TEST(RandomLayout, cells_that_cross_each_other_grow_anew) {
     const std::vector<Vec2> shape = biconcave(5.4, 18);
     const Lattice box{120, 120, true};
     const int count = static_cast<int>(0.75 * 120 * 120 / area_of(shape));
-    const RandomLayout layout = lay_at_random(shape, count, {box, nullptr}, 1);
+    const RandomLayout layout = lay_at_random({shape, count}, {box, nullptr}, 1);
     EXPECT_GE(layout.scale, 1.0);
     EXPECT_LT(static_cast<double>(layout.visits) / count, 3000.0);
 }
@@ -138,14 +138,14 @@ TEST(RandomLayout, says_what_fits_where_there_is_no_room) {
     const std::vector<Vec2> shape = circle(30.0, 63);
     const Lattice box{200, 100, true};
     try {
-        random_placements(shape, 9, box, 1);
+        random_placements({shape, 9}, box, 1);
         FAIL() << "nine discs of radius 30 cannot fit";
     } catch (const CaseError& error) {
         const std::string text = error.what();
         EXPECT_NE(text.find("no room for 9 cells; hematocrit"), std::string::npos) << text;
         int fits = 0;
         ASSERT_EQ(std::sscanf(text.c_str() + text.find("count = "), "count = %d", &fits), 1);
-        EXPECT_EQ(random_placements(shape, fits, box, 1).size(), static_cast<std::size_t>(fits));
+        EXPECT_EQ(random_placements({shape, fits}, box, 1).size(), static_cast<std::size_t>(fits));
     }
 }
 

@@ -13,6 +13,11 @@ using namespace tt;
 
 namespace {
 
+/// Of all cells.
+void set_membrane_forces(const Membrane& membrane, Suspension& cells) {
+    for_own_cells(cells, [&](int cell) { tt::set_membrane_forces(membrane, cells, cell); });
+}
+
 /// A cell bent out of shape by smooth random waves.
 void disturb(Suspension& cells, double amplitude, std::uint64_t seed) {
     Random random(seed);
