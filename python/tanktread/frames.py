@@ -17,11 +17,12 @@ class Frame:
     nodes, node_force, node_velocity: (N, 2); velocity: (ny, nx, 2); pressure, cytoplasm: (ny, nx), row 0 at the bottom.
     `units` has their units by name; `box` is length and width [m]. A frame without fields has no velocity, pressure, cytoplasm.
     Node positions are not wrapped: x counts on when a cell leaves through an end.
+    `kind` is the number of the kind of each cell, and `kinds` has their names; one without a name where all are alike.
     `walls` are loops of corners (n, 2) [m]; solid is what an odd number of them goes around, and fields are nan there.
     In a straight channel there are none.
     """
 
-    def __init__(self, group: h5py.Group, first: np.ndarray, box: tuple[float, float], walls: list[np.ndarray]):
+    def __init__(self, group: h5py.Group, cells: dict, box: tuple[float, float], walls: list[np.ndarray]):
         self.number = int(group.name.rpartition("/")[2])
         self.time = float(group.attrs["time"])
         self.step = int(group.attrs["step"])
@@ -29,7 +30,10 @@ class Frame:
         self.units = {name: dataset.attrs.get("unit", "") for name, dataset in group.items()}
         self.__dict__.update({name: dataset[()] for name, dataset in group.items()})
         self.walls = walls
+        first = cells["first"]
         self._first = first[first <= group["nodes"].shape[0]]  # cells that came later have no nodes here
+        self.kind = cells["kind"][:len(self._first) - 1]
+        self.kinds = cells["kinds"]
 
     def __getattr__(self, name: str) -> np.ndarray:
         raise AttributeError(f"the frame has no dataset '{name}'")
@@ -56,6 +60,13 @@ class Frame:
         fields = {name: (("y", "x", "component")[:getattr(self, name).ndim], getattr(self, name), {"units": self.units[name]})
                   for name in ("velocity", "pressure", "cytoplasm")}
         return xarray.Dataset(fields, {**at, "component": ["x", "y"]}, {"time": self.time})
+
+
+def _cells_of(file: h5py.File) -> dict:
+    """Which nodes are whose, and the kinds of the cells; files of other writers may not tell these."""
+    first = file["first"][()]
+    kind = file["kind"][()] if "kind" in file else np.zeros(len(first) - 1, dtype=np.int32)
+    return {"first": first, "kind": kind, "kinds": str(file.attrs.get("kinds", "")).split(",")}
 
 
 class Frames(collections.abc.Sequence):
@@ -95,6 +106,6 @@ class Frames(collections.abc.Sequence):
                 if not bytes_.sealed:
                     warnings.warn(f"{path} has no checksums: whether its frames are sound is not known", stacklevel=3)
                 walls = np.split(file["walls"][()], file["wall_first"][1:-1]) if "walls" in file else []
-                return Frame(file["frames"][name], file["first"][()], tuple(map(float, file.attrs["lengths"])), walls)
+                return Frame(file["frames"][name], _cells_of(file), tuple(map(float, file.attrs["lengths"])), walls)
         except (OSError, KeyError, RuntimeError, ValueError) as error:
             raise OSError(f"frame {int(name)} of {path} is damaged ({error})") from None

@@ -82,7 +82,12 @@ class Results:
     def summary(self) -> dict:
         """What a paper would quote, {value, unit, …} by name; averages have mean, standard_error, sd_time, sd_cells, window
         and more, what is not defined a reason. Empty until the run ends."""
-        return {name: entry for name, entry in self._json("summary.json").items() if name != "checks"}
+        return {name: entry for name, entry in self._json("summary.json").items() if name not in ("checks", "kinds")}
+
+    @property
+    def kinds(self) -> dict[str, dict]:
+        """The same of the cells of each kind, by its name: what is averaged over cells. Empty where all are alike."""
+        return self._json("summary.json").get("kinds", {})
 
     def estimate(self, name: str) -> Estimate:
         """Mean, standard error and unit of an entry of the summary. KeyError tells why one has no value."""

@@ -8,6 +8,7 @@
 
 #include "app/case_options.hpp"
 #include "app/check_json.hpp"
+#include "app/check_kinds.hpp"
 #include "app/check_walls.hpp"
 #include "app/layout_progress.hpp"
 #include "app/picture.hpp"
@@ -19,6 +20,7 @@
 #include "case/appraise.hpp"
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
+#include "case/kinds.hpp"
 #include "io/json.hpp"
 #include "observe/progress.hpp"
 
@@ -37,11 +39,6 @@ std::string bytes_text(double bytes) {
         bytes /= 1000.0;
     }
     return fmt::format("{:.1f} TB", bytes);
-}
-
-/// "170", not "1.7e+02".
-std::string plain(double number, int digits = 2) {
-    return rounded_text(number, Dimension{}, digits);
 }
 
 /// What the grid must resolve, in sites.
@@ -114,9 +111,13 @@ void print_numerics(const Case& c, const Choice& choice, const Model& model, con
                 a.viscosity_ratio));
     else
         print_line("cells", "none");
+    print_kinds(a);
+    print_membrane_viscosity(a);
     if (a.cells > 0) print_line("resolution", resolution_text(a));
     if (a.cells > 0) print_line("start", start_text(c, choice, a));
-    if (a.cells > 0 && c.cells.outline()) print_line("outline", description(*c.cells.outline()));
+    for (const Case& one : cases_by_kind(c))
+        if (a.cells > 0 && one.cells.outline())
+            print_line("outline", description(*one.cells.outline()));
     const bool chosen = !c.numerics.dt && !c.numerics.density_scale;
     print_line("time step", fmt::format("{}, {} steps to {}; {}", rounded_text(choice.dt),
                                         with_spaces(a.steps), to_text(c.time.end),

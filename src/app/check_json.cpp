@@ -40,6 +40,19 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
                       {"smallest_gap_is_at_least", !(a.smallest_gap < gap_reach)},
                       {"wall_distance_sites", a.wall_distance},
                       {"largest_stretch", a.start_stretch}};
+    for (const KindFigures& kind : a.kinds) {
+        if (a.kinds.size() < 2) break;
+        j["kinds"].push_back({{"name", kind.name},
+                              {"cells", kind.cells},
+                              {"radius_sites", kind.radius_sites},
+                              {"viscosity_ratio", kind.viscosity_ratio},
+                              {"shear_number", kind.shear_number},
+                              {"bending_length_sites", kind.bending_length}});
+    }
+    if (!a.kinds.empty()) {
+        j["boussinesq_stretching"] = a.kinds.front().stretching_viscosity;
+        j["boussinesq_bending"] = a.kinds.front().bending_viscosity;
+    }
     if (c.cells.outline()) j["outline"] = to_json(*c.cells.outline());
     for (std::size_t n = 0; n < c.ports.size(); ++n) {
         const PortFigures port = figures_of(c, choice, n);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/units.hpp"
 #include "base/words.hpp"
 #include "case/case.hpp"
 #include "case/choose.hpp"
@@ -16,6 +17,11 @@ namespace tt {
 /// Lines of "label  text", the text wrapped within 79 columns.
 inline void print_line(std::string_view label, const std::string& text) {
     fmt::print("  {:<17} {}\n", label, wrapped(text, 79, 20));
+}
+
+/// "170", not "1.7e+02".
+inline std::string plain(double number, int digits = 2) {
+    return rounded_text(number, Dimension{}, digits);
 }
 
 inline std::string with_spaces(std::int64_t number) {

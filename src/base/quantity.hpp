@@ -36,8 +36,11 @@ using Viscosity = Quantity<Dimension{1, -1, -1}>;
 using KinematicViscosity = Quantity<Dimension{0, 2, -1}>;
 using Pressure = Quantity<Dimension{1, -1, -2}>;
 using PressureGradient = Quantity<Dimension{1, -2, -2}>;
-using Tension = Quantity<Dimension{1, 0, -2}>;         ///< N/m; also an energy per area, J/m²
-using BendingModulus = Quantity<Dimension{1, 2, -2}>;  ///< N m
+using Tension = Quantity<Dimension{1, 0, -2}>;           ///< N/m; also an energy per area, J/m²
+using BendingModulus = Quantity<Dimension{1, 2, -2}>;    ///< N m
+using SurfaceViscosity = Quantity<Dimension{1, 0, -1}>;  ///< N s/m, of a membrane's stretching
+using BendingViscosity = Quantity<Dimension{1, 2, -1}>;  ///< N m s, of its bending
+using Power = Quantity<Dimension{1, 1, -3}>;             ///< W/m: per depth
 using SurfaceEnergy = Tension;
 
 /// The one place where SI and lattice units meet: the SI value of one lattice unit of length, time

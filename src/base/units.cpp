@@ -41,6 +41,9 @@ constexpr std::array customary{
     Customary{{1, -2, -2}, "pressure gradient", {"Pa/m", "kPa/m"}},
     Customary{{1, 0, -2}, "tension (an energy per area)", {"N/m", "uN/m", "mN/m"}},
     Customary{{1, 2, -2}, "bending modulus (an energy)", {"J"}},
+    Customary{{1, 0, -1}, "viscosity of a membrane", {"N s/m", "uN s/m", "nN s/m"}},
+    Customary{{1, 2, -1}, "viscosity of bending", {"N m s"}},
+    Customary{{1, 1, -3}, "power per depth", {"W/m", "mW/m", "uW/m", "nW/m", "pW/m"}},
 };
 
 const Customary* find_customary(Dimension dimension) {

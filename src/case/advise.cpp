@@ -211,6 +211,17 @@ void advise_on_physics(const Case& c, const Appraisal& a, Adviser& adviser) {
             "and "
             "viscosity ratio 5. Write end = \"{}\".",
             a.strained_time, rounded_text(Time{c.time.end.si * 20.0 / a.strained_time}, 2));
+    for (const KindFigures& kind : a.kinds) {
+        constexpr double folds = 5.0;
+        const double wanted = folds * kind.settling_time();
+        if (kind.stretching_viscosity == 0.0 || !c.flow.shear() || a.strained_time >= wanted)
+            continue;
+        adviser.consider(
+            "The viscosity of the membrane, Bq = {:.3g}, slows the way to the steady state: k t = "
+            "{:.3g} brings it nearer by a factor of e, and the run has {:.3g}. Write end = \"{}\".",
+            kind.stretching_viscosity, kind.settling_time(), a.strained_time,
+            rounded_text(Time{c.time.end.si * wanted / a.strained_time}, 2));
+    }
     if (a.transits > 0.0 && a.transits < 5.5)
         adviser.consider(
             "{:.2g} transits; five should be left out before averaging. Write end = \"{}\".",

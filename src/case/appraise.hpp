@@ -37,8 +37,16 @@ struct KindFigures {
     int cells = 0;
     double radius_sites = 0.0;
     double viscosity_ratio = 1.0;
-    double shear_number = 0.0;    ///< G
-    double bending_length = 0.0;  ///< in sites
+    double shear_number = 0.0;          ///< G
+    double bending_length = 0.0;        ///< in sites
+    double stretching_viscosity = 0.0;  ///< Bq = η_m/(μ a)
+    double bending_viscosity = 0.0;     ///< Bb = η_b/(μ a³)
+
+    /// k t in which a cell comes nearer to its steady state by a factor of e, where the viscosity
+    /// of its membrane decides that.
+    double settling_time() const {
+        return (stretching_viscosity + 1.0 + viscosity_ratio) * shear_number / 3.0;
+    }
 };
 
 /// What `check` answers to "which dx, dt, tau?": everything that follows from a case before a step

@@ -145,6 +145,8 @@ struct MembraneCase {
     Bending bending;                         ///< its modulus is the key above
     std::optional<Pressure> area_stiffness;  ///< k_p
     bool hold_area = true;
+    SurfaceViscosity membrane_viscosity;  ///< η_m
+    BendingViscosity bending_viscosity;   ///< η_b
     HardeningCase hardening;
 
     friend bool operator==(const MembraneCase&, const MembraneCase&) = default;

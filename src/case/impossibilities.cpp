@@ -52,8 +52,9 @@ bool judge_outline(Judge& judge, const Case& c) {
 void judge_membrane(Judge& judge, const MembraneCase& membrane) {
     if (is_drop(membrane) && !membrane.hardening.apply_to.empty())
         judge.tell({"membrane.law"},
-                   "a drop of constant surface tension has no membrane that hardens: in "
-                   "[membrane.hardening] write apply_to = []");
+                   fmt::format("a drop of constant surface tension has no membrane that hardens: "
+                               "in [{}] write apply_to = []",
+                               judge.table("membrane.hardening")));
 }
 
 void judge_contact(Judge& judge, const MorseContact& contact) {

@@ -22,6 +22,13 @@ public:
     /// for in its table first, and faults name it. Empty: no longer.
     void look_at_kind(const std::string& name) { kind_ = name; }
 
+    /// How the table of this name is called there.
+    std::string table(const std::string& path) const {
+        if (kind_.empty()) return path;
+        return path == "membrane" ? "kind"
+                                  : "kind" + path.substr(std::min(path.find('.'), path.size()));
+    }
+
     bool given(std::string_view path) const { return place_of(path) != places_.end(); }
 
     /// Whether any key of a table was given.

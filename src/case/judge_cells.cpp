@@ -122,7 +122,8 @@ void judge_placed_kind(Judge& judge, const Case& c, std::size_t n) {
 /// Kinds that say how many, or which share.
 void judge_counted_kind(Judge& judge, const Case& c, std::size_t n) {
     const std::string path = path_of(c, n);
-    judge.forbid(path + ".positions", "without layout = \"explicit\" in [cells]");
+    if (!c.kinds[n].positions.empty())
+        judge.forbid(path + ".positions", "without layout = \"explicit\" in [cells]");
     if (c.kinds[n].share && c.kinds[n].count)
         judge.tell({path + ".share"}, "count and share exclude each other; leave one out");
     if (!c.kinds[n].share && !c.kinds[n].count)

@@ -31,6 +31,8 @@ Membrane membrane_of(const MembraneCase& m, const Scales& scales) {
                membrane.bending);
     membrane.hardening = hardening_of(m.hardening);
     membrane.hold_area = m.hold_area;
+    membrane.viscosity = {scales.to_lattice(m.membrane_viscosity),
+                          scales.to_lattice(m.bending_viscosity)};
     return membrane;
 }
 

@@ -59,8 +59,7 @@ Pressing::Pressing(const std::vector<std::vector<Vec2>>& shapes, const Room& roo
         form.bulge = largest_distance(shape, form.shape);
         for (const Vec2 p : form.shape) {
             form.reach = std::max(form.reach, norm(p));
-            form.gyration2 +=
-                0.5 * dot(p, p) / points_;  // of the area; that of the outline is twice as large
+            form.gyration2 += 0.5 * dot(p, p) / points_;  // of the area, half that of the outline
         }
         reach_ = std::max(reach_, form.reach);
         bulge_ = std::max(bulge_, form.bulge);

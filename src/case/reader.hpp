@@ -10,23 +10,11 @@
 #include "base/letter.hpp"
 #include "base/words.hpp"
 #include "case/field_types.hpp"
+#include "case/unknown_key.hpp"
 #include "case/validate.hpp"
 #include "case/value_reader.hpp"
 
 namespace tt {
-
-/// The paths of all tables that have a field `key`.
-template <TomlTable S>
-void find_key(std::string_view key, const std::string& path, std::vector<std::string>& found) {
-    for_each_key<S>([&](const auto& field) {
-        using T = value_type_of<decltype(field)>;
-        if (field.key == key && !path.empty()) found.push_back(path);
-        if constexpr (TomlTable<T>)
-            find_key<T>(
-                key, path.empty() ? std::string(field.key) : fmt::format("{}.{}", path, field.key),
-                found);
-    });
-}
 
 /// Listed tables of which each begins as a copy of something in S, which is read before.
 template <class S, class T>
@@ -177,10 +165,8 @@ private:
                                         field.key, path, twice ? ", once" : ""));
         } else if constexpr (is_named_tables<T>) {
             read_named_tables(entry, path, result);
-        } else if constexpr (is_listed_tables<T>) {
-            read_listed_tables(entry, path, result, result);
         } else if constexpr (is_list<T> && TomlTable<item_type<T>>) {
-            read_tables(entry, fmt::format("[{}]", path), result);
+            read_listed_tables(entry, path, result, result);
         } else {
             if constexpr (is_quantity<T>)
                 if (entry.value.kind == TomlNode::Kind::string && entry.value.text == "auto" &&
@@ -251,22 +237,6 @@ private:
         }
     }
 
-    /// [[path]], once for each item.
-    template <class T>
-    void read_tables(const TomlEntry& entry, const std::string& path, std::vector<T>& result) {
-        if (entry.value.kind != TomlNode::Kind::array)
-            return tell_key(entry,
-                            fmt::format("write [{}] on a line of its own before each", path));
-        for (const TomlNode& item : entry.value.items) {
-            const TomlEntry header{entry.key, item.line, item.column, {}, entry.origin};
-            result.emplace_back();
-            if (item.kind == TomlNode::Kind::table)
-                read_table(item, &header, path, result.back());
-            else
-                tell_key(header, fmt::format("write [{}] on a line of its own before each", path));
-        }
-    }
-
     template <class F, class T>
     void read_absent(const TomlEntry* header, const std::string& path, const F& field, T& result) {
         if constexpr (TomlTable<T>) {
@@ -278,29 +248,14 @@ private:
     }
 
     void tell_missing(const TomlEntry* header, const std::string& path, const FieldText& field) {
-        fault_at(header).message =
-            fmt::format("{} is missing from [{}]; write {} = {}", field.key,
-                        path.substr(0, path.rfind('.')), field.key, toml_string(field.example));
+        fault_at(header).message = fmt::format("{} is missing from {}; write {} = {}", field.key,
+                                               shown_table(path.substr(0, path.rfind('.'))),
+                                               field.key, toml_string(field.example));
     }
 
     template <TomlTable S>
     void tell_unknown_key(const TomlEntry& entry, const std::string& path) {
-        std::vector<std::string_view> keys;
-        for_each_key<S>([&](const auto& field) { keys.push_back(field.key); });
-        std::vector<std::string> elsewhere;
-        find_key<Root>(entry.key, "", elsewhere);
-        std::string message =
-            path.empty() ? fmt::format("unknown {} '{}'",
-                                       entry.value.kind == TomlNode::Kind::table ? "table" : "key",
-                                       readable(entry.key))
-                         : fmt::format("unknown key '{}' in [{}]", readable(entry.key), path);
-        if (const auto near = closest(entry.key, keys); near && elsewhere.empty())
-            message += fmt::format("; did you mean '{}'?", *near);
-        else if (!elsewhere.empty())
-            message += fmt::format("; it belongs to [{}]", fmt::join(elsewhere, "] or ["));
-        else
-            message += fmt::format("; known here: {}", fmt::join(keys, ", "));
-        tell_key(entry, std::move(message));
+        tell_key(entry, unknown_key<Root, S>(entry, path));
     }
 
     template <Choosable T>

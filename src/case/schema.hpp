@@ -3,6 +3,7 @@
 #include "base/field_list.hpp"
 #include "case/case.hpp"
 #include "case/schema_cells.hpp"
+#include "case/schema_contact.hpp"
 #include "case/schema_flow.hpp"
 #include "case/schema_geometry.hpp"
 

@@ -136,7 +136,7 @@ public:
 
 private:
     void add(std::string name, double step, std::string reason, double change = 0.0) {
-        limits_.push_back({std::move(name), Time{step}, std::move(reason), change});
+        limits_.push_back({std::move(name), Time{step}, std::move(reason), 0, change});
     }
     void add_accuracy(std::string name, double step, std::string reason) {
         add(std::move(name), step, std::move(reason), tolerance());

@@ -20,6 +20,7 @@ struct StepLimit {
     std::string name;    ///< "Reynolds number", "Mach number", …
     Time step;           ///< largest Δt it allows
     std::string reason;  ///< one line with the numbers
+    int kind = 0;        ///< of which cells
     double change = 0.0;  ///< of D, ε, λ_C or μ_rel that goes with `step`, and grows in proportion
                           ///< to Δt; 0: a limit of stability
 };

@@ -144,6 +144,10 @@ void TargetsReader::check_condition(const Case& c, const Spot& spot) {
         tell(spot,
              "nothing hardens in this case, so D and beta mean nothing; write "
              "set = [\"membrane.hardening.apply_to=[shear, bending, area, contact]\"]");
+    if (!c.kinds.empty())
+        tell(spot,
+             "the cells are of several kinds, and D and beta would have to be those of one: take "
+             "[[kind]] out of the case");
     const bool random = std::holds_alternative<PaperRows>(c.cells.layout) ||
                         std::holds_alternative<AtRandom>(c.cells.layout);
     if (!text_.search.seeds.empty() && !random)

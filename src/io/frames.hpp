@@ -26,6 +26,8 @@ struct FramesHeader {
     /// Of the segment from each node to its successor, without tension [m]; dataset. Empty in files
     /// of other writers.
     std::vector<double> rest_length;
+    std::vector<std::int32_t> kind;  ///< of each cell; dataset. Empty in files of other writers
+    std::string kinds;               ///< names of the kinds, parted by commas; attribute
     /// Walls that are not those of the box: x, y of their corners [m], wall_first[w] … wall_first[w
     /// + 1] of loop w; solid is what an odd number of loops goes around. Datasets; absent without.
     std::vector<double> walls;
@@ -116,8 +118,9 @@ public:
     /// checkpoint, are removed.
     FramesWriter(std::filesystem::path directory, FramesHeader header, std::vector<FrameTime> kept);
 
-    /// More cells than before are in the frames from now on; those there were stay the first ones.
-    void add_cells(std::vector<std::int32_t> first, std::vector<double> rest_length);
+    /// More cells than before are in the frames from now on, those of `now`; those there were stay
+    /// the first ones.
+    void add_cells(const FramesHeader& now);
     void write(const Frame& frame);
     const std::vector<FrameTime>& times() const { return times_; }
     /// Returns once the frames written are on the disk.

@@ -24,7 +24,10 @@ void examine(const FramesHeader& header) {
                        std::isfinite(header.length) && !first.empty() && first.front() == 0 &&
                        std::is_sorted(first.begin(), first.end()) &&
                        (header.rest_length.empty() ||
-                        header.rest_length.size() == static_cast<std::size_t>(first.back()));
+                        header.rest_length.size() == static_cast<std::size_t>(first.back())) &&
+                       (header.kind.empty() || header.kind.size() + 1 == first.size()) &&
+                       std::all_of(header.kind.begin(), header.kind.end(),
+                                   [](std::int32_t kind) { return kind >= 0; });
     const auto& wall = header.wall_first;
     const bool walls_sound =
         wall.empty() || (wall.front() == 0 && std::is_sorted(wall.begin(), wall.end()) &&
@@ -65,10 +68,11 @@ fs::path folder_of(const fs::path& frames_h5) { return frames_h5.parent_path() /
 fs::path merged_part(const fs::path& folder) { return folder / "merged.h5"; }
 
 void write_cells(hid_t file, const FramesHeader& header) {
-    for (const char* name : {"first", "rest_length"})
+    for (const char* name : {"first", "rest_length", "kind"})
         if (hdf5::exists(file, name)) hdf5::remove(file, name);
     hdf5::write_dataset(file, "first", header.first);
     hdf5::write_dataset(file, "rest_length", {header.rest_length.size()}, header.rest_length, "m");
+    hdf5::write_dataset(file, "kind", header.kind);
 }
 
 void write_header(hid_t file, const FramesHeader& header, Kind kind) {
@@ -78,6 +82,7 @@ void write_header(hid_t file, const FramesHeader& header, Kind kind) {
     hdf5::write_attribute(file, "lengths", std::array{header.length, header.width});
     hdf5::write_attribute(file, "nx", static_cast<std::int64_t>(header.nx));
     hdf5::write_attribute(file, "ny", static_cast<std::int64_t>(header.ny));
+    hdf5::write_attribute(file, "kinds", header.kinds);
     hdf5::write_attribute(file, "merged", static_cast<std::int64_t>(kind));
     write_cells(file, header);
     if (!header.wall_first.empty()) {
@@ -103,6 +108,9 @@ FramesHeader read_header(hid_t file) {
     header.first = hdf5::read_dataset<std::int32_t>(file, "first").values;
     if (hdf5::exists(file, "rest_length"))
         header.rest_length = hdf5::read_dataset<double>(file, "rest_length").values;
+    if (hdf5::exists(file, "kind"))
+        header.kind = hdf5::read_dataset<std::int32_t>(file, "kind").values;
+    if (hdf5::has_attribute(file, "kinds")) header.kinds = hdf5::read_text(file, "kinds");
     if (hdf5::exists(file, "wall_first")) {
         header.walls = hdf5::read_dataset<double>(file, "walls").values;
         header.wall_first = hdf5::read_dataset<std::int32_t>(file, "wall_first").values;

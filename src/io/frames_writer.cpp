@@ -61,9 +61,10 @@ void FramesWriter::remove_after(std::int64_t count) const {
     }
 }
 
-void FramesWriter::add_cells(std::vector<std::int32_t> first, std::vector<double> rest_length) {
-    header_.first = std::move(first);
-    header_.rest_length = std::move(rest_length);
+void FramesWriter::add_cells(const FramesHeader& now) {
+    header_.first = now.first;
+    header_.rest_length = now.rest_length;
+    header_.kind = now.kind;
     frames::write_cells(index_, header_);
 }
 

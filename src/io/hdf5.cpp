@@ -150,6 +150,10 @@ bool exists(hid_t where, const std::string& name) {
     return H5Lexists(where, name.c_str(), H5P_DEFAULT) > 0;
 }
 
+bool has_attribute(hid_t where, const std::string& name) {
+    return H5Aexists(where, name.c_str()) > 0;
+}
+
 std::vector<std::string> names_in(hid_t group) {
     H5G_info_t info{};
     expect(H5Gget_info(group, &info) >= 0, "count", "a group");

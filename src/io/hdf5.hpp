@@ -45,6 +45,7 @@ std::string image(hid_t file);
 Id create_group(hid_t where, const std::string& name);
 Id open_group(hid_t where, const std::string& name);
 bool exists(hid_t where, const std::string& name);
+bool has_attribute(hid_t where, const std::string& name);
 void remove(hid_t where, const std::string& name);
 /// Names of all that a group holds, in order.
 std::vector<std::string> names_in(hid_t group);

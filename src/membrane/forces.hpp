@@ -4,6 +4,7 @@
 #include "membrane/hardening.hpp"
 #include "membrane/in_plane/in_plane.hpp"
 #include "membrane/suspension.hpp"
+#include "membrane/viscosity.hpp"
 
 namespace tt {
 
@@ -14,7 +15,8 @@ struct Membrane {
     Hardening hardening;
     double area_stiffness = 0.0;  ///< k_p
     bool hold_area = false;       ///< membrane/area.hpp
-    double mobility = 0.0;        ///< m of membrane/implicit_tension.hpp; 0: tension is explicit
+    MembraneViscosity viscosity;
+    double mobility = 0.0;  ///< m of membrane/implicit_tension.hpp; 0: tension is explicit
 };
 
 /// Sets fx, fy of a cell to the membrane forces of Eqs. 10–15, and the stiffness of each of its

@@ -25,11 +25,13 @@ struct Suspension {
     std::vector<double> rest_curvature;          ///< κ₀
     std::vector<double> dipole_xx,
         dipole_xy;  ///< symmetric, traceless force dipole on the fluid (coupling/jump.hpp)
+    std::vector<double> viscous_moment;  ///< membrane/viscosity.hpp
     std::vector<double> rate_xx, rate_xy;  ///< ∂ₓuₓ − ∂ᵧuᵧ and ∂ᵧuₓ + ∂ₓuᵧ of the last step
 
     // Per segment, indexed by its first node.
     std::vector<double> rest_length;  ///< l₀
     std::vector<double> stiffness;    ///< d(T α)/dλ/l₀ of the last step, at least 0; derived
+    std::vector<double> viscous_tension;  ///< membrane/viscosity.hpp
 
     // Per cell.
     std::vector<std::int32_t> id;             ///< its number for ever, whoever leaves

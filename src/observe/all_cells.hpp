@@ -11,6 +11,7 @@ namespace tt {
 struct AllCells {
     std::vector<std::int32_t> first{0};  ///< nodes of cell number c are first[c] … first[c + 1]
     std::vector<double> rest_length;     ///< of their segments [sites]
+    std::vector<std::int32_t> kind;
 };
 AllCells all_cells(const State& state);
 

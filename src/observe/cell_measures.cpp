@@ -111,6 +111,7 @@ CellMeasures measure_cell(const Model& model, const State& state, const PlasmaMa
     CellMeasures m;
     m.time = Time{static_cast<double>(state.step) * model.scales.time};
     m.cell = state.cells.id[cell];
+    m.kind = state.cells.kind[cell];
     const AreaMoments moments = area_moments(outline(state.cells, cell));
     measure_place(model, state, cell, moments, m);
     measure_shape(model.scales, state.cells, cell, moments, m);
@@ -119,6 +120,8 @@ CellMeasures measure_cell(const Model& model, const State& state, const PlasmaMa
     m.turn_max_deg = bend.turn * 180.0 / std::numbers::pi;
     m.curvature_radius_sites = bend.radius;
     measure_stress(model, state, plasma, cell, m);
+    m.dissipation = model.scales.to_si<Power>(viscous_dissipation(
+        model.kind_of(state.cells, cell).membrane.viscosity, state.cells, cell));
     return m;
 }
 

@@ -104,4 +104,16 @@ Samples lateral_displacements(const Table& cells, const SummaryInput& input) {
     return slopes;
 }
 
+Table rows_of_kind(const Table& cells, int kind) {
+    Table some = cells;
+    for (std::vector<double>& column : some.columns) column.clear();
+    const std::vector<double>& kinds = cells.column("kind");
+    for (std::size_t row = 0; row < kinds.size(); ++row) {
+        if (kinds[row] != kind) continue;
+        for (std::size_t n = 0; n < cells.columns.size(); ++n)
+            some.columns[n].push_back(cells.columns[n][row]);
+    }
+    return some;
+}
+
 }  // namespace tt

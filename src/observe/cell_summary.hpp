@@ -29,4 +29,7 @@ Samples tank_treading_periods(const Table& cells, const SummaryInput& input);
 /// to its last, of cells that came along by ten sites; of none in channels between ports.
 Samples lateral_displacements(const Table& cells, const SummaryInput& input);
 
+/// The rows of a table of cells that are of one kind.
+Table rows_of_kind(const Table& cells, int kind);
+
 }  // namespace tt

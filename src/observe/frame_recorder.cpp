@@ -92,6 +92,9 @@ FramesHeader frames_header(const Model& model, const State& state, const std::st
             header.origin.push_back(coordinate * model.scales.length);
     const AllCells all = all_cells(state);
     header.first = all.first;
+    header.kind = all.kind;
+    for (const CellKind& kind : model.kinds)
+        header.kinds += (header.kinds.empty() ? "" : ",") + kind.name;
     if (const Walls* walls = model.boundaries.walls.get()) {
         header.wall_first = {0};
         for (const Loop& loop : solid_loops(walls->solid, header.nx, header.ny)) {
@@ -135,9 +138,9 @@ void FrameRecorder::resume(const ArchiveReader& archive) {
 void FrameRecorder::observe(const Snapshot& snapshot) {
     const State& state = snapshot.state();
     if (state.cells.id.size() + state.departed.size() >= header_.first.size()) {  // more have come
-        FramesHeader now = frames_header(snapshot.model(), state, header_.name);
+        const FramesHeader now = frames_header(snapshot.model(), state, header_.name);
         header_.first = now.first;
-        writer_->add_cells(std::move(now.first), std::move(now.rest_length));
+        writer_->add_cells(now);
     }
     writer_->write(fields_due(snapshot.step()) ? frame_of(snapshot) : membranes_of(snapshot));
 }

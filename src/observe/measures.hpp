@@ -13,7 +13,7 @@ namespace tt {
 /// What is measured of one cell at one time, SI. One row of cells.csv.
 struct CellMeasures {
     Time time;
-    std::int64_t cell = 0;
+    std::int64_t cell = 0, kind = 0;
     Length x, y;        ///< centroid; x unwrapped
     Velocity velocity;  ///< of the centroid, along x
     Area area;
@@ -34,6 +34,7 @@ struct CellMeasures {
     Pressure stress_principal;  ///< largest principal shear rate × local viscosity at the membrane
     double shear_number_star_traction = 0.0;  ///< G* = τ_max L_C / E_s (Eq. 24) with each
     double shear_number_star_principal = 0.0;
+    Power dissipation;  ///< of the membrane's viscosity, per depth
 };
 
 /// What is measured of the whole run at one time, SI. One row of series.csv.
@@ -75,6 +76,7 @@ struct FieldList<CellMeasures> {
     static constexpr auto entries = std::tuple{
         FieldEntry{"time", &C::time, "time"},
         FieldEntry{"cell", &C::cell, "number of the cell"},
+        FieldEntry{"kind", &C::kind, "number of its kind, in the order of the case, from 0"},
         FieldEntry{"x", &C::x, "centroid, unwrapped"},
         FieldEntry{"y", &C::y, "centroid, from the bottom wall"},
         FieldEntry{"velocity", &C::velocity, "velocity of the centroid along x"},
@@ -106,6 +108,8 @@ struct FieldList<CellMeasures> {
                    "G* (Eq. 24) by the outer traction"},
         FieldEntry{"shear_number_star_principal", &C::shear_number_star_principal,
                    "G* (Eq. 24) by the principal shear"},
+        FieldEntry{"membrane_dissipation", &C::dissipation,
+                   "power that the viscosity of the membrane takes, per depth"},
     };
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 struct LeftRow {
     Time time;
-    std::int64_t cell = 0, port = 0;
+    std::int64_t cell = 0, kind = 0, port = 0;
     Length place;
     Velocity speed;
     Area area;
@@ -21,7 +21,7 @@ struct LeftRow {
 };
 struct EnteredRow {
     Time time;
-    std::int64_t cell = 0, port = 0;
+    std::int64_t cell = 0, kind = 0, port = 0;
     Length place;
     Area area;
 };
@@ -34,6 +34,7 @@ struct FieldList<LeftRow> {
     static constexpr auto entries = std::tuple{
         FieldEntry{"time", &R::time, "when it left"},
         FieldEntry{"cell", &R::cell, "its number"},
+        FieldEntry{"kind", &R::kind, "number of its kind, in the order of the case, from 0"},
         FieldEntry{"port", &R::port, "number of the port, in the order of the case, from 0"},
         FieldEntry{"place", &R::place, "of its middle along the port, from the lower or left end"},
         FieldEntry{"speed", &R::speed, "through the port"},
@@ -47,6 +48,7 @@ struct FieldList<EnteredRow> {
     static constexpr auto entries = std::tuple{
         FieldEntry{"time", &R::time, "when its foremost node came to the port"},
         FieldEntry{"cell", &R::cell, "its number"},
+        FieldEntry{"kind", &R::kind, "number of its kind, in the order of the case, from 0"},
         FieldEntry{"port", &R::port, "number of the port, in the order of the case, from 0"},
         FieldEntry{"place", &R::place, "of its middle along the port, from the lower or left end"},
         FieldEntry{"area", &R::area, "area"},
@@ -62,7 +64,7 @@ EventTable::Lines left_from(const Snapshot& snapshot, std::int64_t written) {
     for (auto k = static_cast<std::size_t>(written); k < departed.size(); ++k, ++lines.count) {
         const Departed& d = departed[k];
         lines.text += csv_row(
-            LeftRow{Time{d.time * scales.time}, d.id, d.exit, scales.to_si<Length>(d.place),
+            LeftRow{Time{d.time * scales.time}, d.id, d.kind, d.exit, scales.to_si<Length>(d.place),
                     scales.to_si<Velocity>(d.speed), scales.to_si<Area>(d.area), d.lambda_C});
     }
     return lines;
@@ -80,7 +82,7 @@ EventTable::Lines entered_from(const Snapshot& snapshot, std::int64_t written) {
     for (std::size_t n = 0; n < feeds.size(); ++n)
         for (auto e = feeds[n].entered.rbegin();
              e != feeds[n].entered.rend() && e->id >= first + written; ++e)
-            rows.push_back({Time{e->time * scales.time}, e->id, model.feeds[n].port,
+            rows.push_back({Time{e->time * scales.time}, e->id, e->kind, model.feeds[n].port,
                             scales.to_si<Length>(e->place), scales.to_si<Area>(e->area)});
     std::sort(rows.begin(), rows.end(),
               [](const EnteredRow& a, const EnteredRow& b) { return a.cell < b.cell; });

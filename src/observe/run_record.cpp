@@ -107,6 +107,7 @@ SummaryInput RunRecord::summary_input(const State& state, const StepTimes& step_
     input.window = {request_.average_from, Time{static_cast<double>(steps_) * model_.scales.time}};
     input.dx = Length{model_.scales.length};
     input.mirror_height = mirror_height(model_);
+    for (const CellKind& kind : model_.kinds) input.kinds.push_back(kind.name);
     input.one_way = model_.port_names.empty();
     input.shear_rate = Rate{model_.shear_rate / model_.scales.time};
     if (model_.drive.hold_mean_velocity) input.held_rate = input.shear_rate;

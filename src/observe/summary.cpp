@@ -1,6 +1,7 @@
 #include "observe/summary.hpp"
 
 #include <algorithm>
+#include <set>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -39,7 +40,8 @@ constexpr std::array flows{"area_error_max",
                            "repulsion_count",
                            "turn_max_deg",
                            "curvature_radius_sites"};
-constexpr std::array stresses{"shear_number_star_traction", "shear_number_star_principal"};
+constexpr std::array stresses{"shear_number_star_traction", "shear_number_star_principal",
+                              "membrane_dissipation"};
 
 template <std::size_t count>
 bool has(const std::array<const char*, count>& names, std::string_view name) {
@@ -138,6 +140,43 @@ std::optional<Dimension> dimension_in(std::string_view name) {
     return result;
 }
 
+/// What is averaged over cells.
+void summarise_cells(const Table& cells, const SummaryInput& input, Json& summary) {
+    const bool any = cells.rows() > 0;
+    for (const std::string name : shapes) {
+        const std::vector<double> column =
+            name == "inclination_deg" ? inclinations(cells, input) : cells.column(name);
+        summary[name] = averaged(name, gather(cells, column, input), cells.unit(name), any, input);
+    }
+    const auto put_of_cells = [&](std::string_view name, const Samples& each) {
+        Json json = averaged(std::string(name), each, "", any, input);
+        if (each.all.empty()) json["reason"] = reason_for(name, any, any);
+        json["samples"] = each.all.size();
+        summary[std::string(name)] = json;
+    };
+    put_of_cells(period, tank_treading_periods(cells, input));
+    put_of_cells(climb, lateral_displacements(cells, input));
+}
+
+/// The same of each kind, by its name.
+Json summary_of_kinds(const Table& cells, const SummaryInput& input) {
+    Json kinds = Json::object();
+    for (std::size_t n = 0; n < input.kinds.size(); ++n) {
+        const Table some = rows_of_kind(cells, static_cast<int>(n));
+        Json& kind = kinds[input.kinds[n]];
+        std::set<double> numbers(some.column("cell").begin(), some.column("cell").end());
+        kind["cells"] = entry(static_cast<double>(numbers.size()), "");
+        summarise_cells(some, input, kind);
+        for (const std::string name : {"velocity", "wall_distance"})
+            kind[name] = averaged(name, gather(some, some.column(name), input), some.unit(name),
+                                  some.rows() > 0, input);
+        for (const char* name : stresses)
+            kind[name] = averaged(name, gather(some, some.column(name), input), some.unit(name),
+                                  some.rows() > 0, input);
+    }
+    return kinds;
+}
+
 }  // namespace
 
 std::vector<std::string_view> summary_quantities() {
@@ -165,17 +204,8 @@ Json summarise(const std::filesystem::path& results, const SummaryInput& input) 
                          const std::vector<double>& column) {
         summary[name] = averaged(name, gather(table, column, input), table.unit(name), any, input);
     };
-    for (const std::string name : shapes)
-        put(name, cells,
-            name == "inclination_deg" ? inclinations(cells, input) : cells.column(name));
-    const auto put_of_cells = [&](std::string_view name, const Samples& each) {
-        Json json = averaged(std::string(name), each, "", any, input);
-        if (each.all.empty()) json["reason"] = reason_for(name, any, any);
-        json["samples"] = each.all.size();
-        summary[std::string(name)] = json;
-    };
-    put_of_cells(period, tank_treading_periods(cells, input));
-    put_of_cells(climb, lateral_displacements(cells, input));
+    summarise_cells(cells, input, summary);
+    if (input.kinds.size() > 1) summary["kinds"] = summary_of_kinds(cells, input);
     for (const char* name : flows) put(name, series, series.column(name));
     if (std::filesystem::exists(results / "ports.csv")) {
         const Table ports = read_csv(results / "ports.csv");

@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct SummaryInput {
     Length mirror_height;                ///< of a channel (observe/run_measures.hpp); else NaN
     Rate shear_rate;                     ///< nominal k
     Rate held_rate;                      ///< that a controller holds; 0: none
+    std::vector<std::string> kinds;      ///< names of the kinds of cells; one without a name
     bool one_way = true;                 ///< plasma goes along x, not through ports
     std::optional<double> shear_number;  ///< G (Eq. 19); nothing where it has no meaning
     double wall_seconds = 0.0;
@@ -54,6 +56,8 @@ std::optional<Dimension> summary_dimension(std::string_view name);
 /// tank_treading_kT = k · 2π / |mean phase rate| of each cell that treads: its membrane makes at
 /// least a fiftieth of a turn in the window, and its long axis stays within a quarter turn.
 /// lateral_displacement = Δy/Δx of each cell within the window: the tangent of its migration angle.
+/// Where there are several kinds of cells, `kinds` has what is averaged over cells for each of them
+/// by its name, the number of its cells, and wall_distance: who keeps to the walls.
 /// `step_us` is the mean time of a step; its `passes` are as thread 0 saw them, `outside` the time
 /// spent on all else: checks, observers, files. `checks` is the list of observe/checks.hpp.
 Json summarise(const std::filesystem::path& results, const SummaryInput& input);

@@ -186,6 +186,7 @@ void write_cells(const fs::path& path, const FramesHeader& header, const Frame& 
         vtk_array("image", 1, joined(mesh.image_of_line, mesh.image_of_triangle))};
     std::vector<Vec2> scaled = nodes;
     for (Vec2& p : scaled) p *= um;
+    if (!header.kind.empty()) elements.push_back(vtk_array("kind", 1, picked(header.kind, cell)));
     for (const CellColumn& column : shape_columns(header, scaled))
         elements.push_back(vtk_array(column.name, 1, picked(column.values, cell)));
     write_vtp(path, mesh.points, mesh.lines, mesh.triangles, node_arrays(header, frame, mesh),
@@ -211,6 +212,7 @@ cells.pvd  one set of cells a frame (cells/cells_NNNNNN.vtp): each outline is a 
            velocity [mm/s]
    of each line and triangle, the same all over a cell:
            cell, image         image is 1 on images: leave them out before you add up
+           kind                number of its kind, in the order of the case, from 0
            area [um^2], perimeter [um]      of the whole cell
            lambda_C            perimeter / perimeter at rest
            strain              lambda_C - 1

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/tell.hpp"
+#include "base/words.hpp"
 
 namespace tt {
 
@@ -79,6 +80,13 @@ std::unique_ptr<const FramesReader> open_frames(const fs::path& directory) {
     for (const std::string& fault : frames->faults()) tell_user("tanktread: {}\n", fault);
     if (frames->count() == 0) throw IoError(path.string() + ": holds no frame that can be read");
     return frames;
+}
+
+std::vector<std::string> kind_names(const FramesHeader& header) {
+    std::vector<std::string> names;
+    for (const std::string_view name : split(header.kinds, ',')) names.emplace_back(name);
+    if (names.empty()) names.emplace_back();
+    return names;
 }
 
 }  // namespace tt

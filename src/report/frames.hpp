@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/vec2.hpp"
@@ -28,6 +29,9 @@ std::vector<Vec2> image_shifts(const FramesHeader& header, const std::vector<Vec
 /// The frames of a results directory; tells the user what is damaged. Throws IoError if none can be
 /// read.
 std::unique_ptr<const FramesReader> open_frames(const std::filesystem::path& directory);
+
+/// Names of the kinds of cells; one without a name where they are all alike.
+std::vector<std::string> kind_names(const FramesHeader& header);
 
 inline int cell_count(const FramesHeader& header) {
     return static_cast<int>(header.first.size()) - 1;

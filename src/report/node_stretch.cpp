@@ -4,6 +4,8 @@
 #include <cmath>
 #include <variant>
 
+#include <fmt/format.h>
+
 #include "report/frames.hpp"
 #include "report/page_data.hpp"
 
@@ -38,28 +40,48 @@ double MembraneLaw::tension(double stretch) const {
     return hardening.shear ? plain * hardening(stretch) : plain;
 }
 
-std::optional<MembraneLaw> membrane_law(const Results& run) {
+std::optional<MembraneLaw> membrane_law(const Results& run, const std::string& table) {
+    const auto setting = [&](const char* key, const std::string& absent = {}) {
+        return run.setting(fmt::format("{}.{}", table, key), absent);
+    };
     MembraneLaw membrane;
-    const double modulus = setting_si(run.setting("membrane.shear_modulus"));
-    if (!choose_word(run.setting("membrane.law"), membrane.law) || !std::isfinite(modulus))
-        return std::nullopt;
+    const double modulus = setting_si(setting("shear_modulus"));
+    if (!choose_word(setting("law"), membrane.law) || !std::isfinite(modulus)) return std::nullopt;
     std::visit([&](auto& law) { law.shear_modulus = modulus; }, membrane.law);
     if (auto* skalak = std::get_if<Skalak>(&membrane.law)) {
-        const double ratio = setting_si(run.setting("membrane.area_dilation_ratio", "1"));
+        const double ratio = setting_si(setting("area_dilation_ratio", "1"));
         if (!std::isfinite(ratio)) return std::nullopt;
         skalak->area_dilation_ratio = ratio;
     }
     Hardening& h = membrane.hardening;
-    const std::string applied = ", " + run.setting("membrane.hardening.apply_to") + ",";
+    const std::string applied = ", " + setting("hardening.apply_to") + ",";
     h.shear = applied.find(", shear,") != std::string::npos;
     if (!h.shear) return membrane;
-    h.D = setting_si(run.setting("membrane.hardening.D"));
-    h.beta = setting_si(run.setting("membrane.hardening.beta"));
-    const bool known = choose_word(run.setting("membrane.hardening.form"), h.form) &&
-                       choose_word(run.setting("membrane.hardening.compression"), h.compression);
+    h.D = setting_si(setting("hardening.D"));
+    h.beta = setting_si(setting("hardening.beta"));
+    const bool known = choose_word(setting("hardening.form"), h.form) &&
+                       choose_word(setting("hardening.compression"), h.compression);
     if (!known || !std::isfinite(h.D) || !std::isfinite(h.beta)) return std::nullopt;
     return membrane;
 }
+
+namespace {
+
+/// Of 256 stretches, for each kind of cells; null where the law of one is not known.
+Json tensions_of_kinds(const Results& run, double low, double high) {
+    const std::vector<std::string> kinds = kind_names(run.frames->header());
+    Json tensions = Json::array();
+    for (const std::string& kind : kinds) {
+        const auto membrane = membrane_law(run, kind.empty() ? "membrane" : "kind." + kind);
+        if (!membrane || std::holds_alternative<SurfaceTension>(membrane->law)) return nullptr;
+        Json& tension = tensions.emplace_back(Json::array());
+        for (int b = 0; b < 256; ++b)
+            tension.push_back(membrane->tension(low + (high - low) * b / 255.0));
+    }
+    return tensions;
+}
+
+}  // namespace
 
 Json stretch_data(const Results& run, const std::vector<std::vector<double>>& frames) {
     double low = 1e300, high = -1e300;
@@ -77,14 +99,10 @@ Json stretch_data(const Results& run, const std::vector<std::vector<double>>& fr
             const double level = std::isfinite(stretch) ? scale * (stretch - low) : 0.0;
             bytes += static_cast<char>(static_cast<unsigned char>(std::lround(level)));
         }
-    Json tension = nullptr;
-    const auto membrane = membrane_law(run);
-    if (membrane && !std::holds_alternative<SurfaceTension>(membrane->law)) {
-        tension = Json::array();
-        for (int b = 0; b < 256; ++b)
-            tension.push_back(membrane->tension(low + (high - low) * b / 255.0));
-    }
-    return {{"low", low}, {"high", high}, {"bytes", base64(bytes)}, {"tension", tension}};
+    return {{"low", low},
+            {"high", high},
+            {"bytes", base64(bytes)},
+            {"tension", tensions_of_kinds(run, low, high)}};
 }
 
 }  // namespace tt

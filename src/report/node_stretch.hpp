@@ -26,12 +26,13 @@ struct MembraneLaw {
     double tension(double stretch) const;
 };
 
-/// Nothing where the settings do not say it.
-std::optional<MembraneLaw> membrane_law(const Results& run);
+/// Of the membranes that a table of the case describes: [membrane], or that of a kind. Nothing
+/// where the settings do not say it.
+std::optional<MembraneLaw> membrane_law(const Results& run, const std::string& table = "membrane");
 
 /// Stretches of all frames as bytes: {low, high, bytes, tension}; byte b stands for low + (high −
-/// low) b / 255, and tension[b] [N/m] belongs to it; null where the law is not known or tension is
-/// the same at any stretch. null without stretches.
+/// low) b / 255, and tension[kind][b] [N/m] belongs to it in cells of each kind; null where the law
+/// is not known or tension is the same at any stretch. null without stretches.
 Json stretch_data(const Results& run, const std::vector<std::vector<double>>& frames);
 
 }  // namespace tt

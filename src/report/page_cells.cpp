@@ -46,11 +46,12 @@ std::vector<TimeRows> chosen_rows(const std::vector<TimeRows>& rows,
     return list;
 }
 
-/// Columns that say something of a cell: all but when and which.
+/// Columns that say something of a cell: all but when, which, and of what kind.
 std::vector<std::size_t> told_columns(const Table& cells) {
     std::vector<std::size_t> columns;
     for (std::size_t c = 0; c < cells.names.size(); ++c)
-        if (cells.names[c] != "time" && cells.names[c] != "cell") columns.push_back(c);
+        if (cells.names[c] != "time" && cells.names[c] != "cell" && cells.names[c] != "kind")
+            columns.push_back(c);
     return columns;
 }
 

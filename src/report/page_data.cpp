@@ -208,6 +208,8 @@ Json player_data(const Results& run, const PageLimits& limits) {
             {"width", header.width},
             {"quantum", rounded(quantum)},
             {"first", choice.first},
+            {"kind", header.kind},
+            {"kinds", kind_names(header)},
             {"walls", header.walls},
             {"wall_first", header.wall_first},
             {"origin", header.origin.empty() ? std::vector<double>{0.0, 0.0} : header.origin},

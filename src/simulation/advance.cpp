@@ -63,7 +63,10 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
 
     // Each thread its share of the cells …
     for_own_cells(s.cells, [&](int cell) {  // Eqs. 10–15
-        set_membrane_forces(kind_of(cell).membrane, s.cells, cell);
+        const Membrane& membrane = kind_of(cell).membrane;
+        set_membrane_forces(membrane, s.cells, cell);
+        if (membrane.viscosity)
+            add_viscous_forces(membrane.viscosity, m.viscosity.plasma, s.cells, cell);
     });
     done(Pass::membrane);
 

@@ -27,6 +27,7 @@ Departed departed(const Exit& exit, std::int64_t number, const State& state, int
     d.id = cells.id[cell];
     d.time = static_cast<double>(state.step);
     d.exit = number;
+    d.kind = cells.kind[cell];
     d.place = place_along(exit, middle_of(shape));
     d.area = area_moments(shape).area;
     d.lambda_C = perimeter(shape) / cells.reference_perimeter[cell];

@@ -20,7 +20,7 @@ struct Exit {
 
 /// A cell that has left.
 struct Departed {
-    std::int64_t id = 0, exit = 0;
+    std::int64_t id = 0, exit = 0, kind = 0;
     double time = 0.0;      ///< [steps]; no whole number once the time step has changed
     double place = 0.0;     ///< of its middle along the port
     double lambda_C = 1.0;  ///< as it left, forces faded

@@ -79,8 +79,9 @@ void admit(const Model& model, const Feed& feed, std::int32_t leader, FeedState&
     from.followers.push_back({id, leader, turn});
     const Outline shape = outline(state.cells, cell);
     const Exit& port = model.exits[static_cast<std::size_t>(feed.port)];
-    from.entered.push_back({id, static_cast<double>(state.step),
-                            place_along(port, middle_of(shape)), area_moments(shape).area});
+    from.entered.push_back({id, state.cells.kind[static_cast<std::size_t>(cell)],
+                            static_cast<double>(state.step), place_along(port, middle_of(shape)),
+                            area_moments(shape).area});
 }
 
 }  // namespace
@@ -171,7 +172,8 @@ void follow(const Leader& leader, Suspension& cells, int cell) {
     }
     for (const auto array :
          {&Suspension::ux, &Suspension::uy, &Suspension::ux_sampled, &Suspension::uy_sampled,
-          &Suspension::rate_xx, &Suspension::rate_xy, &Suspension::stiffness})
+          &Suspension::rate_xx, &Suspension::rate_xy, &Suspension::stiffness,
+          &Suspension::viscous_tension, &Suspension::viscous_moment})
         std::copy_n(&(others.*array)[from], cells.node_count(cell), &(cells.*array)[first]);
 }
 

@@ -37,7 +37,7 @@ struct Follower {
 
 /// A cell that has come in.
 struct Entered {
-    std::int64_t id = 0;
+    std::int64_t id = 0, kind = 0;
     double time = 0.0;   ///< [steps], when its foremost node came to the port
     double place = 0.0;  ///< of its middle along the port
     double area = 0.0;

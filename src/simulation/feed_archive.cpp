@@ -65,6 +65,7 @@ void save_led(ArchiveOutput& archive, const FeedState& feed, const std::string& 
     for (const auto& [name, member] : follower_numbers)
         archive.put(prefix + name, numbers_of(feed.followers, member));
     archive.put(prefix + "entered.id", numbers_of(feed.entered, &Entered::id));
+    archive.put(prefix + "entered.kind", numbers_of(feed.entered, &Entered::kind));
     for (const auto& [name, member] : entered_numbers)
         archive.put(prefix + name, numbers_of(feed.entered, member));
 }
@@ -75,6 +76,7 @@ void load_led(const ArchiveReader& archive, const std::string& prefix, FeedState
     for (const auto& [name, member] : follower_numbers)
         set_numbers(archive.take<std::int32_t>(prefix + name), member, feed.followers);
     set_numbers(archive.take<std::int64_t>(prefix + "entered.id"), &Entered::id, feed.entered);
+    set_numbers(archive.take<std::int64_t>(prefix + "entered.kind"), &Entered::kind, feed.entered);
     for (const auto& [name, member] : entered_numbers)
         set_numbers(archive.take<double>(prefix + name), member, feed.entered);
     mark_led(feed, state);

@@ -32,16 +32,18 @@ constexpr std::array departed_numbers{
     std::pair{"departed.speed", &Departed::speed}, std::pair{"departed.area", &Departed::area}};
 
 void save_departed(ArchiveOutput& archive, const std::vector<Departed>& departed) {
-    std::vector<std::int64_t> id, exit, nodes;
+    std::vector<std::int64_t> id, exit, kind, nodes;
     std::vector<double> rest_length;
     for (const Departed& d : departed) {
         id.push_back(d.id);
         exit.push_back(d.exit);
+        kind.push_back(d.kind);
         nodes.push_back(static_cast<std::int64_t>(d.rest_length.size()));
         rest_length.insert(rest_length.end(), d.rest_length.begin(), d.rest_length.end());
     }
     archive.put("departed.id", id);
     archive.put("departed.exit", exit);
+    archive.put("departed.kind", kind);
     archive.put("departed.nodes", nodes);
     archive.put("departed.rest_length", rest_length);
     for (const auto& [name, member] : departed_numbers) {
@@ -51,21 +53,25 @@ void save_departed(ArchiveOutput& archive, const std::vector<Departed>& departed
     }
 }
 
-std::vector<Departed> load_departed(const ArchiveReader& archive, std::size_t exits) {
+std::vector<Departed> load_departed(const ArchiveReader& archive, std::size_t exits,
+                                    std::size_t kinds) {
     const auto id = archive.take<std::int64_t>("departed.id");
     const auto exit = archive.take<std::int64_t>("departed.exit");
+    const auto kind = archive.take<std::int64_t>("departed.kind");
     const auto nodes = archive.take<std::int64_t>("departed.nodes");
     const auto rest_length = archive.take<double>("departed.rest_length");
-    if (exit.size() != id.size() || nodes.size() != id.size())
+    if (exit.size() != id.size() || kind.size() != id.size() || nodes.size() != id.size())
         refuse("its list of cells that left is wrong");
     std::vector<Departed> departed(id.size());
     auto length = rest_length.begin();
     for (std::size_t k = 0; k < id.size(); ++k) {
-        if (exit[k] < 0 || exit[k] >= static_cast<std::int64_t>(exits) || nodes[k] < 0 ||
+        if (exit[k] < 0 || exit[k] >= static_cast<std::int64_t>(exits) || kind[k] < 0 ||
+            kind[k] >= static_cast<std::int64_t>(kinds) || nodes[k] < 0 ||
             nodes[k] > rest_length.end() - length)
             refuse("its list of cells that left is wrong");
         departed[k].id = id[k];
         departed[k].exit = exit[k];
+        departed[k].kind = kind[k];
         departed[k].rest_length.assign(length, length + nodes[k]);
         length += nodes[k];
     }
@@ -113,7 +119,7 @@ void load_ports(const ArchiveReader& archive, const Model& model, State& state) 
     }
     if (!archive.has("departed.id")) return;
     std::vector<std::int32_t>& id = state.cells.id;
-    state.departed = load_departed(archive, model.exits.size());
+    state.departed = load_departed(archive, model.exits.size(), model.kinds.size());
     id = archive.take<std::int32_t>("id");
     if (id.size() != static_cast<std::size_t>(state.cells.cell_count()))
         refuse("the numbers of its cells are wrong");

@@ -41,8 +41,9 @@ void change_time_step(const Model& model, double ratio, State& state) {
         },
         model.equilibrium, state.sites);
     Suspension& cells = state.cells;
-    for (auto* per_step : {&cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux,
-                           &cells.uy, &cells.ux_sampled, &cells.uy_sampled}) {
+    for (auto* per_step :
+         {&cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux, &cells.uy,
+          &cells.ux_sampled, &cells.uy_sampled, &cells.viscous_tension, &cells.viscous_moment}) {
         for (double& value : *per_step) value *= ratio;
     }
     state.drive.body_force *= ratio;

@@ -43,6 +43,14 @@ void for_each_array(S& state, Visit&& visit) {
     visit("interior.y", state.interior.y);
 }
 
+/// The same of what membranes without viscosity hold as zeros: it counts in the hash where it is
+/// not.
+template <class C, class Visit>
+void for_each_viscous(C& cells, Visit&& visit) {
+    visit("viscous_tension", cells.viscous_tension);
+    visit("viscous_moment", cells.viscous_moment);
+}
+
 template <class S, class Visit>
 void for_each_number(S& state, Visit&& visit) {
     visit("step", state.step);
@@ -112,34 +120,37 @@ void expect_sizes(const State& state) {
     for (const auto* per_node :
          {&cells.x, &cells.y, &cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux,
           &cells.uy, &cells.ux_sampled, &cells.uy_sampled, &cells.rest_curvature,
-          &cells.rest_length, &state.interior.x, &state.interior.y}) {
+          &cells.rest_length, &cells.viscous_tension, &cells.viscous_moment, &state.interior.x,
+          &state.interior.y}) {
         if (per_node->size() != nodes) refuse("an array is not of one number per node");
     }
     const auto count = static_cast<std::size_t>(cells.cell_count());
-    if (cells.kind.size() != count) refuse("an array is not of one number per cell");
+    bool sized = cells.kind.size() == count;
     for (const auto* per_cell : {&cells.reference_area, &cells.reference_perimeter, &cells.alpha,
                                  &cells.area, &cells.perimeter}) {
-        if (per_cell->size() != count) refuse("an array is not of one number per cell");
+        sized = sized && per_cell->size() == count;
     }
+    if (!sized) refuse("an array is not of one number per cell");
 }
 
 /// Every number of the cells and of the drive is finite; `smallest_gap` alone may be nan.
 void expect_finite(const State& state) {
-    for_each_array(state, [](const char* name, const auto& values) {
+    const auto expect = [](const char* name, const auto& values) {
         for (const auto value : values) {
             if (!std::isfinite(static_cast<double>(value)))
                 refuse(fmt::format("'{}' holds a number that is not finite", name));
         }
-    });
+    };
+    for_each_array(state, expect);
+    for_each_viscous(state.cells, expect);
     if (state.step < 0) refuse("its step is negative");
     if (!std::isfinite(state.drive.body_force) || !std::isfinite(state.drive.integral))
         refuse("its drive is not finite");
 }
 
-void expect_kinds(const Model& model, const Suspension& cells) {
+void expect_kinds(int kinds, const Suspension& cells) {
     for (const std::int32_t kind : cells.kind)
-        if (kind < 0 || kind >= static_cast<int>(model.kinds.size()))
-            refuse("a cell is of a kind that is not there");
+        if (kind < 0 || kind >= kinds) refuse("a cell is of a kind that is not there");
 }
 
 /// Every node stands where the lattice can be asked for it: between the walls, and each cell within
@@ -164,7 +175,7 @@ void expect_sound(const Model& model, const State& state) {
     const Lattice& lattice = model.lattice;
     expect_cells(state.cells);
     expect_sizes(state);
-    expect_kinds(model, state.cells);
+    expect_kinds(static_cast<int>(model.kinds.size()), state.cells);
     expect_finite(state);
     expect_places(lattice, state.cells);
     for (std::size_t n = 0; n < state.cells.x.size(); ++n) {
@@ -207,7 +218,10 @@ void save_state(ArchiveOutput& archive, const State& state, const std::string& p
     for_each_array(
         state, [&](const char* name, const auto& values) { archive.put(prefix + name, values); });
     archive.put(prefix + "kind", state.cells.kind);  // no part of the hash: alike kinds act alike
-    if (prefix.empty()) {                            // the channel of a feed has none of these
+    for_each_viscous(state.cells, [&](const char* name, const auto& values) {
+        archive.put(prefix + name, values);
+    });
+    if (prefix.empty()) {  // the channel of a feed has none of these
         save_ports(archive, state);
         save_sections(archive, state);
     }
@@ -237,6 +251,9 @@ State load_state(const ArchiveReader& archive, const Model& model, Exchange& exc
             archive.take<typename std::remove_cvref_t<decltype(values)>::value_type>(prefix + name);
     });
     state.cells.kind = archive.take<std::int32_t>(prefix + "kind");
+    for_each_viscous(state.cells, [&](const char* name, auto& values) {
+        values = archive.take<double>(prefix + name);
+    });
     expect_sound(model, state);
     number_cells(state.cells);
     if (prefix.empty()) {
@@ -261,6 +278,10 @@ std::uint64_t state_hash(const State& state) {
     for_each_number(state, [&](const char*, const auto& value) { sum.add(&value, sizeof value); });
     for_each_array(state, [&](const char*, const auto& values) {
         sum.add(values.data(), values.size() * sizeof values[0]);
+    });
+    for_each_viscous(state.cells, [&](const char*, const auto& values) {
+        if (std::any_of(values.begin(), values.end(), [](double v) { return v != 0.0; }))
+            sum.add(values.data(), values.size() * sizeof values[0]);
     });
     hash_ports(state, sum);
     hash_sections(state, sum);

@@ -106,6 +106,7 @@ TEST_F(Frames, grow_with_the_cells_that_come) {
     const auto expect_grown = [&] {
         const FramesReader reader(path("frames.h5"));
         EXPECT_EQ(reader.header().first, (std::vector<std::int32_t>{0, 2, 5, 9}));
+        EXPECT_EQ(reader.header().kind, (std::vector<std::int32_t>{0, 0, 1}));
         ASSERT_EQ(reader.count(), 2);
         EXPECT_TRUE(reader.faults().empty());
         EXPECT_EQ(reader.stored(0).nodes, frame(0).nodes);
@@ -118,7 +119,10 @@ TEST_F(Frames, grow_with_the_cells_that_come) {
     };
     FramesWriter writer(directory(), header(), {});
     writer.write(frame(0));
-    writer.add_cells({0, 2, 5, 9}, {});
+    FramesHeader grown = header();
+    grown.first = {0, 2, 5, 9};
+    grown.kind = {0, 0, 1};
+    writer.add_cells(grown);
     Frame more = frame(1);
     for (double x = 11.0; x <= 18.0; ++x) more.nodes.push_back(x);
     more.node_force.resize(18, 0.5);

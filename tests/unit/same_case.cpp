@@ -59,11 +59,13 @@ void change_each(const Case& c, const std::string& path, const Of& of, const See
         };
         if constexpr (TomlTable<T>) {
             change_each<T>(c, key + ".", deeper, see);
-        } else if constexpr (is_named_tables<T>) {
+        } else if constexpr (is_tables<T>) {
             Case changed = c;
-            deeper(changed).emplace_back().name = "one";
+            std::string one = "1";
+            auto& item = deeper(changed).emplace_back();
+            if constexpr (requires { item.name; }) one = item.name = "one";
             for_each_field<item_type<T>>([&](const auto& own) {
-                const std::string of_one = key + ".one." + std::string(own.key);
+                const std::string of_one = key + "." + one + "." + std::string(own.key);
                 using Own =
                     std::remove_cvref_t<decltype(std::declval<item_type<T>&>().*own.member)>;
                 if constexpr (TomlTable<Own>)

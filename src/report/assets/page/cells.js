@@ -35,6 +35,7 @@ const cells = (() => {
 
   function fillOf(run, q, cell, row) {
     if (q.where === "none") return colours.plain;
+    if (q.where === "kind") return colours.ofKind(run.player.kind[cell]);
     if (q.where === "number") return colours.several[cell % colours.several.length];
     if (q.where === "piece" || !colours.known(run, q)) return theme.now().body;
     const value = run.cells.value(q.key, cell, row);
@@ -44,11 +45,12 @@ const cells = (() => {
   // Pieces of membrane, those of one colour in one stroke.
   function strokePieces(context, panel, frame, q, drawn) {
     const p = panel.run.player, map = colours.map("cell"), { low, high, level, tension } = p.stretch, paths = new Map();
-    const step = Uint8Array.from({ length: 256 }, (_, b) => colours.level(q, q.key === "tension" ? tension[b] : low + (high - low) * b / 255) & 0xf8);
+    const steps = p.kinds.map((_, kind) => Uint8Array.from({ length: 256 }, (_, b) =>
+      colours.level(q, q.key === "tension" ? tension[kind][b] : low + (high - low) * b / 255) & 0xf8));
     for (const { cell, points, shifts } of drawn)
       for (const [x, y] of shifts)
         for (let k = 0; k < points.length; k += 2) {
-          const next = (k + 2) % points.length, colour = step[level[frame * p.nodeCount + p.first[cell] + k / 2]];
+          const next = (k + 2) % points.length, colour = steps[p.kind[cell] || 0][level[frame * p.nodeCount + p.first[cell] + k / 2]];
           if (!paths.has(colour)) paths.set(colour, new Path2D());
           paths.get(colour).moveTo(points[k] + x, points[k + 1] + y);
           paths.get(colour).lineTo(points[next] + x, points[next + 1] + y);

@@ -26,12 +26,14 @@ const colours = (() => {
     { key: "tension", name: "membrane tension", where: "piece", unit: "N/m" },
     { key: "taylor_inertia", name: "Taylor deformation D", where: "cell", unit: "" },
     { key: "velocity", name: "velocity along x", where: "cell", unit: "m/s" },
+    { key: "kind", name: "kind of cell", where: "kind", unit: "" },
     { key: "number", name: "number of the cell", where: "number", unit: "" },
     { key: "none", name: "one colour", where: "none", unit: "" },
   ];
   function known(run, q) {
     if (q.key === "stretch") return Boolean(run.player.stretch);
     if (q.key === "tension") return Boolean(run.player.stretch && run.player.stretch.tension);
+    if (q.key === "kind") return run.player.kinds.length > 1;
     return q.where !== "cell" || Boolean(run.cells && run.cells.has(q.key));
   }
   const offered = quantities.filter((q) => data.playing.some((run) => known(run, q)));
@@ -40,7 +42,7 @@ const colours = (() => {
   const ranges = new Map();
   function* valuesOf(run, q) {
     if (q.key === "stretch") yield* [run.player.stretch.low, run.player.stretch.high];
-    else if (q.key === "tension") yield* run.player.stretch.tension;
+    else if (q.key === "tension") yield* run.player.stretch.tension.flat();
     else for (let row = 0; row < run.cells.time.length; ++row) for (let c = 0; c < run.cells.count; ++c) yield run.cells.value(q.key, c, row);
   }
   function range(q) {
@@ -56,6 +58,7 @@ const colours = (() => {
     const [low, high] = range(q);
     return Math.min(Math.max(Math.round(255 * (value - low) / (high - low)), 0), 255);
   }
+  const ofKind = (kind) => several[kind % several.length];
   const fastest = Math.max(0, ...data.playing.map((run) => run.player.fastest || 0));
-  return { map, offered, known, range, level, several, fastest, plain: "#c8372d" };
+  return { map, offered, known, range, level, several, ofKind, fastest, plain: "#c8372d" };
 })();

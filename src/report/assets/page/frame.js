@@ -120,5 +120,20 @@ const frame = (() => {
       text(context, inRange((low + share * (high - low)) * factor, low * factor, high * factor), x + share * width, y + 36, align);
   }
 
-  return { axes, above, bar, text };
+  // Colours that stand for names, in the place of a bar.
+  function swatches(context, name, entries, x, y, width) {
+    context.fillStyle = theme.now().ink;
+    context.font = theme.font(12.5);
+    context.textAlign = "left";
+    context.fillText(name, x, y + 6, width);
+    const slot = width / entries.length;
+    entries.forEach(([entry, colour], k) => {
+      context.fillStyle = colour;
+      context.fillRect(x + k * slot, y + 16, 11, 11);
+      context.fillStyle = theme.now().ink;
+      context.fillText(entry, x + k * slot + 16, y + 22, slot - 20);
+    });
+  }
+
+  return { axes, above, bar, swatches, text };
 })();

@@ -51,13 +51,21 @@ const player = (() => {
   // Between which ends head and foot stand.
   const ends = () => ({ left: Math.min(...panels.map((p) => p.left)), right: Math.max(...panels.map((p) => p.right)) });
 
+  // Names and colours, of the run that has most.
+  function kindsShown() {
+    const most = panels.map(({ run }) => run.player.kinds).reduce((a, b) => (b.length > a.length ? b : a));
+    return most.map((name, kind) => [name, colours.ofKind(kind)]);
+  }
+
   function drawBars() {
     const q = state.quantity, bars = [];
-    if (["cell", "piece"].includes(q.where)) bars.push([q.name, colours.map("cell"), colours.range(q), q.unit]);
-    if (state.background && colours.fastest > 0) bars.push([flowName(), colours.map("flow"), [0, colours.fastest], "m/s"]);
+    const bar = (...what) => bars.push((x, wide) => frame.bar(context, ...what, x, size.foot, wide));
+    if (["cell", "piece"].includes(q.where)) bar(q.name, colours.map("cell"), colours.range(q), q.unit);
+    if (q.where === "kind") bars.push((x, wide) => frame.swatches(context, q.name, kindsShown(), x, size.foot, wide));
+    if (state.background && colours.fastest > 0) bar(flowName(), colours.map("flow"), [0, colours.fastest], "m/s");
     const { left, right } = ends();
     const wide = Math.min((right - left - 24 * (bars.length - 1)) / Math.max(bars.length, 1), 360);
-    bars.forEach((b, k) => frame.bar(context, ...b, left + k * (wide + 24), size.foot, wide));
+    bars.forEach((draw, k) => draw(left + k * (wide + 24), wide));
   }
 
   function drawHead() {

@@ -14,8 +14,12 @@ const selection = (() => {
     for (const run of player.state.shown)
       for (let number = 0; number < run.player.cellCount; ++number) {
         choices.push({ run, number });
-        list.add(new Option((data.single ? "" : run.label + ", ") + "cell " + number, choices.length - 1));
+        list.add(new Option((data.single ? "" : run.label + ", ") + "cell " + number + kindText({ run, number }), choices.length - 1));
       }
+  }
+  function kindText({ run, number }) {
+    const { kind, kinds } = run.player;
+    return kinds.length > 1 ? ", " + kinds[kind[number]] : "";
   }
   const indexOf = (cell) => Math.max(choices.findIndex((c) => c && cell && c.run === cell.run && c.number === cell.number), 0);
 
@@ -57,7 +61,7 @@ const selection = (() => {
     panel.hidden = !cell;
     shownRow = -1;
     if (cell) {
-      element("cell-name").textContent = (data.single ? "Cell " : cell.run.label + ", cell ") + cell.number;
+      element("cell-name").textContent = (data.single ? "Cell " : cell.run.label + ", cell ") + cell.number + kindText(cell);
       makeTable(cell);
       showNumbers();
     }
