@@ -191,17 +191,19 @@ void move_into_place(const fs::path& from, const fs::path& to, Durability durabi
 void replace_file(const fs::path& path, std::string_view bytes, Durability durability) {
     fs::path temporary = path;
     temporary += ".tmp";
-    try {
-        OutputFile file(temporary, OutputFile::Mode::create);
-        file.write(bytes.data(), bytes.size());
-        if (durability == Durability::power) file.sync();
-        file.close();
-    } catch (const IoError&) {
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
-        throw;
-    }
-    move_into_place(temporary, path, durability);
+    with_second_try([&] {
+        try {
+            OutputFile file(temporary, OutputFile::Mode::create);
+            file.write(bytes.data(), bytes.size());
+            if (durability == Durability::power) file.sync();
+            file.close();
+        } catch (const IoError&) {
+            std::error_code ignored;
+            fs::remove(temporary, ignored);
+            throw;
+        }
+        move_into_place(temporary, path, durability);
+    });
 }
 
 std::string read_file(const fs::path& path, Author author) { return Input(path).read(author); }

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/error.hpp"
+
 namespace tt {
 
 /// A file being written. Every call is checked: what goes wrong (disk full, size limit, no
@@ -43,6 +45,17 @@ private:
 
 /// What a replaced file must survive: the end of this process, or a loss of power too.
 enum class Durability : std::uint8_t { process, power };
+
+/// Does what puts a whole file in its place and, where that fails, does it once more: a disk or a
+/// network may refuse a single call. What fails twice is told.
+template <class Action>
+void with_second_try(Action action) {
+    try {
+        action();
+    } catch (const IoError&) {
+        action();
+    }
+}
 
 /// Puts `bytes` in the place of `path` in one stroke: a reader sees the old content or the new, and
 /// a failure (IoError) leaves the old.
