@@ -184,6 +184,15 @@ void advise_on_physics(const Case& c, const Appraisal& a, Adviser& adviser) {
     if (c.membrane.bending_modulus.si == 0.0 && a.shear_number >= 0.5)
         adviser.consider(
             "Without bending stiffness the membrane wrinkles at G >= 0.5; write bending_modulus.");
+    // Two cells in a channel, circles or biconcave, two grids: ran at 0.75, three of four broke
+    // at 1.
+    const bool stiffens = !c.membrane.hardening.apply_to.empty() ||
+                          std::holds_alternative<Skalak>(c.membrane.law) || is_drop(c.membrane);
+    if (c.flow.channel() && a.cells > 1 && !stiffens && a.shear_number > 0.75)
+        adviser.consider(
+            "G = {:.3g}: several cells whose tension does not harden ran in a channel at G = 0.75, "
+            "and at 1 most broke. Write a slower flow, or [membrane.hardening].",
+            a.shear_number);
     if (c.membrane.hardening.compression == Hardening::Compression::as_printed &&
         !c.membrane.hardening.apply_to.empty())
         adviser.consider(

@@ -76,7 +76,8 @@ enum class Author : std::uint8_t {
 };
 
 /// The whole file, and never more than its author may have written. IoError if it cannot be read,
-/// is a directory or a device, is larger, or is a pipe into which nobody writes for ten seconds.
+/// is a directory or a device, is larger, or is a pipe that nobody has opened to write, or that
+/// says nothing for ten seconds.
 std::string read_file(const std::filesystem::path& path, Author author = Author::program);
 
 /// Creates the directory and its parents. IoError if that fails.

@@ -96,8 +96,10 @@ void begin_export(const fs::path& out, std::string_view readme,
     make_directory(out);
     write_text(note, readme);
     for (const NumberedFiles& files : earlier) {
-        make_directory(out / files.folder);
-        remove_numbered(out / files.folder, files.before, files.behind);
+        const fs::path folder = out / files.folder;
+        if (!fs::exists(folder)) continue;
+        remove_numbered(folder, files.before, files.behind);
+        if (*files.folder != '\0' && fs::is_empty(folder)) fs::remove(folder);
     }
 }
 
