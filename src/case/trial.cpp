@@ -75,8 +75,13 @@ std::optional<Instability> instability_within(std::int64_t steps, const Model& m
     if (auto fault = health.examine(model, tried)) return fault;
     try {  // all is examined after every step, as a run does where it writes
         const std::int64_t end = tried.step + steps;
-        while (tried.step < end && !stop_requested())
+        while (tried.step < end) {
+            if (stop_requested())
+                throw StoppedEarly(
+                    "stopped in a short try, before the first step; nothing was written, the same "
+                    "command begins again");
             run_steps(model, tried, exchange, health, tried.step + 1, Clock::time_point::max());
+        }
     } catch (const SimulationError& error) {
         return error.instability();
     }

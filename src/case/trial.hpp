@@ -13,7 +13,7 @@ namespace tt {
 bool is_unusual(const Case& c, const Choice& choice, const Appraisal& a);
 
 /// What goes wrong in so many steps from a copy of `state`, made and watched as a run makes them.
-/// Nothing where all goes well, or where the program is asked to stop.
+/// Nothing where all goes well. Throws StoppedEarly where the program is asked to stop.
 std::optional<Instability> instability_within(std::int64_t steps, const Model& model,
                                               const State& state);
 

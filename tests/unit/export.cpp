@@ -273,6 +273,12 @@ TEST(Export, leaves_folders_of_others_alone_and_renews_its_own) {
     EXPECT_THROW(export_csv(scratch / "run", scratch / "mine"), IoError);
     EXPECT_THROW(export_vtk(scratch / "run", scratch / "mine"), IoError);
     EXPECT_EQ(text_of(scratch / "mine" / "nodes_000099.csv"), "mine");
+    try {
+        export_csv(scratch / "run", scratch / "mine" / "nodes_000099.csv");
+        FAIL() << "a file was taken for a folder";
+    } catch (const IoError& error) {
+        EXPECT_NE(std::string(error.what()).find("is a file; name a folder"), std::string::npos);
+    }
     export_csv(scratch / "run", scratch / "csv");
     std::ofstream(scratch / "csv" / "nodes_000099.csv") << "of a longer run";
     export_csv(scratch / "run", scratch / "csv");

@@ -14,6 +14,7 @@
 #include "command.hpp"
 #include "io/file.hpp"
 #include "io/json.hpp"
+#include "simulation/stop.hpp"
 #include "source_dir.hpp"
 #include "temporary_directory.hpp"
 
@@ -108,6 +109,16 @@ TEST_F(Trial, of_cells_that_no_numerics_keep_advises_fewer) {
     broken.cells.x[0] += 8.0;  // no step and no coupling mends that
     const Advice advice = refusal_after(hopeless, c, model, broken);
     EXPECT_NE(advice.text.find("Write hematocrit = \"60 %\""), std::string::npos) << advice.text;
+}
+
+TEST_F(Trial, that_is_stopped_leaves_nothing) {
+    const Case c = read_case(path("case.toml").string());
+    const Model model = discretise(c);
+    const State initial = initial_state(c, model);
+    request_stop();
+    EXPECT_THROW(instability_within(10, model, initial), StoppedEarly);
+    clear_stop_request();
+    EXPECT_FALSE(instability_within(10, model, initial));
 }
 
 TEST(IsUnusual, no_case_that_comes_with_the_program) {
