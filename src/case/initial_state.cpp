@@ -135,10 +135,9 @@ void add_placed(const std::vector<Vec2>& shape, const Placement& place, Suspensi
 }
 
 void refuse_bad_placements(const Case& c, const Model& m, const Suspension& cells) {
-    const char* const at_random =
-        std::holds_alternative<AtRandom>(c.cells.layout)
-            ? ""
-            : ", or write layout = \"random\", which keeps clear of walls";
+    const bool random = std::holds_alternative<AtRandom>(c.cells.layout);
+    const char* const cure = random ? "" : ", or write layout = \"random\"";
+    const double um = 1e6 * m.scales.length;
     std::vector<Fault> faults;
     const Walls* const walls = m.boundaries.walls.get();
     for (int cell = 0; walls && cell < cells.cell_count(); ++cell) {
@@ -148,28 +147,25 @@ void refuse_bad_placements(const Case& c, const Model& m, const Suspension& cell
                 {"", 0, 0,
                  fmt::format("[cells] cell {} reaches into a wall at ({:.4g}, {:.4g}) um; make it "
                              "smaller or move it{}",
-                             cell, cells.x[n] * m.scales.length * 1e6,
-                             cells.y[n] * m.scales.length * 1e6, at_random)});
+                             cell, cells.x[n] * um, cells.y[n] * um, cure)});
             break;
         }
     }
     for (int cell = 0; cell < cells.cell_count(); ++cell)
         for (std::size_t n = 0; n < m.exits.size(); ++n)
             if (way_to(m.exits[n], m, cells, cell) < kernel_reach)
-                faults.push_back({"", 0, 0,
-                                  fmt::format("[cells] cell {} lies in port '{}'; move it into the "
-                                              "channel{}",
-                                              cell, m.port_names[n], at_random)});
+                faults.push_back(
+                    {"", 0, 0,
+                     fmt::format("[cells] cell {} lies in port '{}'; move it into the channel{}",
+                                 cell, m.port_names[n], cure)});
     for (int cell = 0; m.lattice.walls && !walls && cell < cells.cell_count(); ++cell) {
         for (int n = cells.first[cell]; n < cells.first[cell + 1]; ++n) {
             if (cells.y[n] > 0.0 && cells.y[n] < m.lattice.ny) continue;
             faults.push_back(
                 {"", 0, 0,
-                 fmt::format(
-                     "[cells] cell {} reaches beyond a wall (y = {:.3g} um, width {:.3g} um); "
-                     "make it smaller or move it",
-                     cell, cells.y[n] * m.scales.length * 1e6,
-                     m.lattice.ny * m.scales.length * 1e6)});
+                 fmt::format("[cells] cell {} reaches beyond a wall (y = {:.3g} um, width {:.3g} "
+                             "um); make it smaller or move it",
+                             cell, cells.y[n] * um, m.lattice.ny * um)});
             break;
         }
     }
