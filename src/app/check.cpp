@@ -17,10 +17,10 @@
 #include "base/tell.hpp"
 #include "base/units.hpp"
 #include "base/words.hpp"
-#include "case/appraise.hpp"
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
 #include "case/kinds.hpp"
+#include "case/trial.hpp"
 #include "io/json.hpp"
 #include "observe/progress.hpp"
 
@@ -197,7 +197,7 @@ void print_cost(const Appraisal& a, const Probe& p, const ThreadChoice& threads)
     print_line("disk", fmt::format("{}, with {} frames of {}",
                                    bytes_text(static_cast<double>(a.disk_bytes)), a.frames,
                                    bytes_text(static_cast<double>(a.frame_bytes))));
-    if (p.steps_per_second == 0.0 || p.unstable_step > 0) return;
+    if (p.steps_per_second == 0.0) return;
     print_line("memory", bytes_text(p.memory_bytes));
     print_line("time to finish",
                fmt::format("{} on {} thread{}: {} steps/s, {:.0f} million site updates/s",
@@ -217,13 +217,10 @@ void print_verdict(const Appraisal& a) {
                                   : "Ready to run; consider what is marked with *.");
 }
 
-void advise_on_try(const Probe& p, const Choice& choice, Appraisal& a) {
-    if (p.unstable_step > 0)
-        a.advice.push_back(
-            {Advice::Weight::refuse,
-             fmt::format("A node moved by half a site at step {} of a short try: write "
-                         "dt = \"{}\" in [numerics].",
-                         p.unstable_step, rounded_text(Time{0.25 * choice.dt.si}, 2))});
+/// Steps that are made to tell their pace show more than the short try.
+void advise_on_probe(const Probe& p, const Case& c, const Model& model, Appraisal& a) {
+    if (p.instability)
+        a.advice.push_back(refusal_after(*p.instability, c, model, initial_state(c, model)));
     else if (p.steps_per_second > 0.0 && takes_long(seconds_to_finish(a, p)))
         a.advice.push_back({Advice::Weight::consider, remark_on_length(seconds_to_finish(a, p))});
 }
@@ -249,9 +246,9 @@ int check(const CheckOptions& options) {
     State initial = initial_state(c, model, layout_progress(ProgressMode::automatic));
     if (options.picture.wanted())
         tell_user("drawn to {}\n", draw_picture(options.picture, c, &choice, &model, &initial));
-    Appraisal a = appraise(c, choice, model, initial);
+    Appraisal a = appraise_with_trial(c, choice, model, initial);
     const Probe p = a.refused() ? Probe{} : probe(model, std::move(initial));
-    advise_on_try(p, choice, a);
+    advise_on_probe(p, c, model, a);
     if (options.json) {
         fmt::print("{}\n", to_json(c, choice, a, p).dump(2));
     } else {

@@ -91,7 +91,7 @@ Json to_json(const Case& c, const Choice& choice, const Appraisal& a, const Prob
                                   {"margin", b.margin()},
                                   {"definition", b.definition}});
     j["disk_bytes"] = a.disk_bytes;
-    if (p.steps_per_second > 0.0 && p.unstable_step == 0) {
+    if (p.steps_per_second > 0.0) {
         j["memory_bytes"] = p.memory_bytes;
         j["steps_per_second"] = p.steps_per_second;
         j["threads"] = p.threads;

@@ -65,11 +65,15 @@ void describe_program(CLI::App& app) {
 }
 
 /// In lines of a terminal where it is read on one; a log keeps whole lines, to search in.
-int tell(std::string_view message, int code) {
+/// As it is: with commands to copy, whole paths in them.
+int tell_whole(std::string_view message, int code) {
     const std::string text = fmt::format("tanktread: {}", message);
     tell_user("{}\n", isatty(STDERR_FILENO) != 0 ? wrapped_lines(text, 79, 2) : text);
     return code;
 }
+
+/// With what is over-long shortened.
+int tell(std::string_view message, int code) { return tell_whole(with_short_words(message), code); }
 
 /// A first word that is no verb: told with the verb that was probably meant.
 bool is_unknown_verb(const CLI::App& app, int argc, const char* const* argv) {
@@ -104,7 +108,8 @@ int perform(const Action& action) {
     } catch (const CommandError& error) {
         return tell(error.what(), exit_code::bad_input);
     } catch (const CaseError& error) {
-        tell_user("{}\n", error.what());  // file:line:column first, for editors
+        // file:line:column first, for editors
+        tell_user("{}\n", with_short_words(error.what()));
         const std::size_t count = error.faults().size();
         return tell(count == 1 ? "1 fault; nothing was run"
                                : fmt::format("{} faults; nothing was run", count),
@@ -116,13 +121,13 @@ int perform(const Action& action) {
     } catch (const StoppedEarly& stop) {
         return tell(stop.what(), exit_code::stopped_early);
     } catch (const SimulationError& error) {
-        return tell(error.what(), exit_code::unstable);
+        return tell_whole(error.what(), exit_code::unstable);
     } catch (const std::filesystem::filesystem_error& error) {
         return tell(
             fmt::format("cannot use '{}': {}", error.path1().string(), error.code().message()),
             exit_code::input_output);
     } catch (const FailedBefore& error) {
-        return tell(error.what(), exit_code::unstable);
+        return tell_whole(error.what(), exit_code::unstable);
     } catch (const std::bad_alloc&) {
         return tell("not enough memory; take a larger dx or a smaller box", exit_code::internal);
     } catch (const std::system_error& error) {

@@ -1,18 +1,19 @@
 #pragma once
 
-#include <cstdint>
+#include <optional>
 
+#include "base/error.hpp"
 #include "simulation/model.hpp"
 #include "simulation/state.hpp"
 
 namespace tt {
 
-/// What a short try of the real thing tells.
+/// How fast the steps of a run are, and what memory it takes.
 struct Probe {
     double steps_per_second = 0.0;  ///< 0: not tried
     double memory_bytes = 0.0;      ///< most that this process has held
     int threads = 1;
-    std::int64_t unstable_step = 0;  ///< at which a node moved by half a site or more; 0: none did
+    std::optional<Instability> instability;  ///< what went wrong meanwhile
 };
 
 /// Makes steps for about 0.3 s from `state`. The fastest batch counts: others on the machine only

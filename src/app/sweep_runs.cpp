@@ -8,9 +8,9 @@
 
 #include "app/case_options.hpp"
 #include "base/error.hpp"
-#include "case/appraise.hpp"
 #include "case/discretise.hpp"
 #include "case/initial_state.hpp"
+#include "case/trial.hpp"
 #include "case/resolve.hpp"
 #include "case/write.hpp"
 #include "observe/failure.hpp"

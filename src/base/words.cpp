@@ -119,4 +119,30 @@ std::string wrapped_lines(std::string_view text, std::size_t width, std::size_t 
     return result;
 }
 
+bool has_open_quote(std::string_view line) {
+    return std::count(line.begin(), line.end(), '"') % 2 == 1;
+}
+
+std::string with_short_words(std::string_view text) {
+    constexpr std::size_t longest = 255, kept = 60;  // at either end
+    const auto inside_letter = [](char c) { return (c & 0xC0) == 0x80; };
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t size = std::min(text.find_first_of(" \n"), text.size());
+        std::string_view word = text.substr(0, size);
+        if (size > longest) {
+            std::size_t head = kept, tail = size - kept;
+            while (head > 0 && inside_letter(word[head])) --head;
+            while (tail < size && inside_letter(word[tail])) ++tail;
+            result.append(word.substr(0, head)).append(" ... ");
+            word.remove_prefix(tail);
+        }
+        result += word;
+        const bool more = size < text.size();
+        if (more) result += text[size];
+        text.remove_prefix(size + (more ? 1 : 0));
+    }
+    return result;
+}
+
 }  // namespace tt

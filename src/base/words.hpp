@@ -25,6 +25,13 @@ std::string shell_quoted(std::string_view text);
 /// The same, quoted only where it must be.
 std::string shell_word(const std::string& text);
 
+/// Whether a quote (") is opened in a line and not closed.
+bool has_open_quote(std::string_view line);
+
+/// `text` with the middle left out of each word that is longer than a name of a file may be, 255
+/// bytes.
+std::string with_short_words(std::string_view text);
+
 /// `text` broken at spaces, but not inside quotes, into lines of at most `width` letters; lines
 /// after the first begin with `indent` spaces.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent = 0);

@@ -201,6 +201,18 @@ void advise_on_physics(const Case& c, const Appraisal& a, Adviser& adviser) {
     if (any(unbending) && a.shear_number >= 0.5)
         adviser.consider(
             "Without bending stiffness the membrane wrinkles at G >= 0.5; write bending_modulus.");
+    // Two cells in a channel, circles or biconcave, two grids: ran at 0.75, three of four broke
+    // at 1.
+    for (std::size_t n = 0; n < kinds.size(); ++n) {
+        const MembraneCase& membrane = kinds[n].membrane;
+        const bool stiffens = !membrane.hardening.apply_to.empty() ||
+                              std::holds_alternative<Skalak>(membrane.law) || is_drop(membrane);
+        if (c.flow.channel() && a.cells > 1 && !stiffens && a.kinds[n].shear_number > 0.75)
+            adviser.consider(
+                "G = {:.3g}: several cells whose tension does not harden ran in a channel at G = "
+                "0.75, and at 1 most broke. Write a slower flow, or [membrane.hardening].",
+                a.kinds[n].shear_number);
+    }
     if (any(as_printed))
         adviser.consider(
             "Eq. 12 as printed softens in compression, and segments fold within about 1 ms; write "

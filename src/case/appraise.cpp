@@ -193,13 +193,6 @@ bool Appraisal::refused() const {
                        [](const Advice& x) { return x.weight == Advice::Weight::refuse; });
 }
 
-void expect_stable(const Case& c, const Choice& choice, const Model& model, const State& initial) {
-    std::vector<Fault> faults;
-    for (const Advice& advice : appraise(c, choice, model, initial).advice)
-        if (advice.weight == Advice::Weight::refuse) faults.push_back({"", 0, 0, advice.text});
-    if (!faults.empty()) throw CaseError(std::move(faults));
-}
-
 Appraisal appraise(const Case& c, const Choice& choice, const Model& model, const State& initial) {
     Appraisal a;
     if (initial.cells.cell_count() > 0) characterise_kinds(c, choice, initial.cells, a);

@@ -87,7 +87,4 @@ struct Appraisal {
 /// stability those that stand beside each explicit term (membrane/stability.hpp).
 Appraisal appraise(const Case& c, const Choice& choice, const Model& model, const State& initial);
 
-/// Throws CaseError with what the appraisal refuses: a run that would end unstable does not start.
-void expect_stable(const Case& c, const Choice& choice, const Model& model, const State& initial);
-
 }  // namespace tt

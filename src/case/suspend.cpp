@@ -168,37 +168,38 @@ void add_placed(const Crowd& crowd, int cell, const Placement& place, Suspension
     if (!place.bend.empty()) move_last_cell_to(placed(shape, place), cells);
 }
 
-void refuse_bad_placements(const Model& m, const Suspension& cells) {
+void refuse_bad_placements(const Case& c, const Model& m, const Suspension& cells) {
+    const bool random = std::holds_alternative<AtRandom>(c.cells.layout);
+    const char* const cure = random ? "" : ", or write layout = \"random\"";
+    const double um = 1e6 * m.scales.length;
     std::vector<Fault> faults;
     const Walls* const walls = m.boundaries.walls.get();
-    for (int c = 0; walls && c < cells.cell_count(); ++c) {
-        for (int n = cells.first[c]; n < cells.first[c + 1]; ++n) {
+    for (int cell = 0; walls && cell < cells.cell_count(); ++cell) {
+        for (int n = cells.first[cell]; n < cells.first[cell + 1]; ++n) {
             if (walls->distance_at(cells.position(n)) > 0.0) continue;
             faults.push_back(
                 {"", 0, 0,
                  fmt::format("[cells] cell {} reaches into a wall at ({:.4g}, {:.4g}) um; make it "
-                             "smaller or move it",
-                             c, cells.x[n] * m.scales.length * 1e6,
-                             cells.y[n] * m.scales.length * 1e6)});
+                             "smaller or move it{}",
+                             cell, cells.x[n] * um, cells.y[n] * um, cure)});
             break;
         }
     }
-    for (int c = 0; c < cells.cell_count(); ++c)
+    for (int cell = 0; cell < cells.cell_count(); ++cell)
         for (std::size_t n = 0; n < m.exits.size(); ++n)
-            if (way_to(m.exits[n], m, cells, c) < kernel_reach)
-                faults.push_back({"", 0, 0,
-                                  fmt::format("[cells] cell {} lies in port '{}'; move it into the "
-                                              "channel",
-                                              c, m.port_names[n])});
-    for (int c = 0; m.lattice.walls && !walls && c < cells.cell_count(); ++c) {
-        for (int n = cells.first[c]; n < cells.first[c + 1]; ++n) {
+            if (way_to(m.exits[n], m, cells, cell) < kernel_reach)
+                faults.push_back(
+                    {"", 0, 0,
+                     fmt::format("[cells] cell {} lies in port '{}'; move it into the channel{}",
+                                 cell, m.port_names[n], cure)});
+    for (int cell = 0; m.lattice.walls && !walls && cell < cells.cell_count(); ++cell) {
+        for (int n = cells.first[cell]; n < cells.first[cell + 1]; ++n) {
             if (cells.y[n] > 0.0 && cells.y[n] < m.lattice.ny) continue;
             faults.push_back(
                 {"", 0, 0,
-                 fmt::format(
-                     "[cells] cell {} reaches beyond a wall (y = {:.3g} um, width {:.3g} um); "
-                     "make it smaller or move it",
-                     c, cells.y[n] * m.scales.length * 1e6, m.lattice.ny * m.scales.length * 1e6)});
+                 fmt::format("[cells] cell {} reaches beyond a wall (y = {:.3g} um, width {:.3g} "
+                             "um); make it smaller or move it",
+                             cell, cells.y[n] * um, m.lattice.ny * um)});
             break;
         }
     }
@@ -240,7 +241,7 @@ Suspension suspended_cells(const Case& c, const Model& m, const LayoutWatch& wat
         if (const auto ratio = kinds[start.crowd.shape_of[cell]].cells.initial_stretch)
             stretch(place, *ratio, cells, cell);
     }
-    refuse_bad_placements(m, cells);
+    refuse_bad_placements(c, m, cells);
     refuse_overlaps(m, cells);
     return cells;
 }

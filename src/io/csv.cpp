@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "base/error.hpp"
+#include "base/words.hpp"
 #include "io/file.hpp"
 
 namespace tt {
@@ -87,11 +88,14 @@ Table read_csv(const std::filesystem::path& path) {
         const std::string_view line = trimmed(rest.substr(0, end));
         rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
         if (line.empty() || line.front() == '#') continue;
+        const std::string place = fmt::format("{}:{}", path.string(), number);
         if (end == std::string_view::npos && split(line).size() < table.names.size()) break;
+        if (has_open_quote(line))
+            throw IoError(place + ": a quote (\") is left open; close it, or leave it out");
         if (table.names.empty())
             read_header(line, table);
         else
-            read_row(line, fmt::format("{}:{}", path.string(), number), table);
+            read_row(line, place, table);
     }
     return table;
 }

@@ -57,24 +57,27 @@ public:
 
 private:
     /// Of a file that may be read at all.
-    std::size_t expected_size(Author author, std::uint64_t limit) const {
+    std::size_t expected_size(Author author, std::uint64_t limit) {
         struct stat status {};
         if (::fstat(descriptor_, &status) != 0) throw_io("read", path_, errno);
         if (S_ISDIR(status.st_mode)) throw_io("read", path_, EISDIR);
-        const bool pipe = S_ISFIFO(status.st_mode) && author == Author::user;
-        if (!S_ISREG(status.st_mode) && !pipe) refuse("it is a device or a pipe, not a file");
+        pipe_ = S_ISFIFO(status.st_mode) && author == Author::user;
+        if (!S_ISREG(status.st_mode) && !pipe_) refuse("it is a device or a pipe, not a file");
         expect_within(static_cast<std::uint64_t>(status.st_size), limit);
         return static_cast<std::size_t>(status.st_size);
     }
 
     std::size_t next(char* block, std::size_t size) {
-        for (;;) {
-            constexpr int patience = 10'000;  // ms
+        constexpr int glance = 200, patience = 10'000;  // ms
+        for (int waited = 0;;) {
             pollfd wait{descriptor_, POLLIN, 0};
-            if (::poll(&wait, 1, patience) == 0) refuse("nothing came out of it for 10 s");
+            const bool silent = ::poll(&wait, 1, glance) == 0;
             const ssize_t count = ::read(descriptor_, block, size);
+            if (count == 0 && silent && pipe_)
+                refuse("it is a pipe, not a file, and nobody writes into it");
             if (count >= 0) return static_cast<std::size_t>(count);
             if (errno != EINTR && errno != EAGAIN) throw_io("read", path_, errno);
+            if (silent && (waited += glance) >= patience) refuse("nothing came out of it for 10 s");
         }
     }
 
@@ -88,6 +91,7 @@ private:
 
     const fs::path& path_;
     int descriptor_;
+    bool pipe_ = false;
 };
 
 }  // namespace
@@ -191,17 +195,19 @@ void move_into_place(const fs::path& from, const fs::path& to, Durability durabi
 void replace_file(const fs::path& path, std::string_view bytes, Durability durability) {
     fs::path temporary = path;
     temporary += ".tmp";
-    try {
-        OutputFile file(temporary, OutputFile::Mode::create);
-        file.write(bytes.data(), bytes.size());
-        if (durability == Durability::power) file.sync();
-        file.close();
-    } catch (const IoError&) {
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
-        throw;
-    }
-    move_into_place(temporary, path, durability);
+    with_second_try([&] {
+        try {
+            OutputFile file(temporary, OutputFile::Mode::create);
+            file.write(bytes.data(), bytes.size());
+            if (durability == Durability::power) file.sync();
+            file.close();
+        } catch (const IoError&) {
+            std::error_code ignored;
+            fs::remove(temporary, ignored);
+            throw;
+        }
+        move_into_place(temporary, path, durability);
+    });
 }
 
 std::string read_file(const fs::path& path, Author author) { return Input(path).read(author); }

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/error.hpp"
+
 namespace tt {
 
 /// A file being written. Every call is checked: what goes wrong (disk full, size limit, no
@@ -44,6 +46,17 @@ private:
 /// What a replaced file must survive: the end of this process, or a loss of power too.
 enum class Durability : std::uint8_t { process, power };
 
+/// Does what puts a whole file in its place and, where that fails, does it once more: a disk or a
+/// network may refuse a single call. What fails twice is told.
+template <class Action>
+void with_second_try(Action action) {
+    try {
+        action();
+    } catch (const IoError&) {
+        action();
+    }
+}
+
 /// Puts `bytes` in the place of `path` in one stroke: a reader sees the old content or the new, and
 /// a failure (IoError) leaves the old.
 void replace_file(const std::filesystem::path& path, std::string_view bytes, Durability durability);
@@ -63,7 +76,8 @@ enum class Author : std::uint8_t {
 };
 
 /// The whole file, and never more than its author may have written. IoError if it cannot be read,
-/// is a directory or a device, is larger, or is a pipe into which nobody writes for ten seconds.
+/// is a directory or a device, is larger, or is a pipe that nobody has opened to write, or that
+/// says nothing for ten seconds.
 std::string read_file(const std::filesystem::path& path, Author author = Author::program);
 
 /// Creates the directory and its parents. IoError if that fails.

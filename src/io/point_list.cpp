@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/words.hpp"
 
 namespace tt {
 namespace {
@@ -95,6 +96,8 @@ public:
         const auto words = words_of(line, ", \t");
         if (words.empty()) return;
         refuse_other_kinds(line, at);
+        if (has_open_quote(line))
+            return tell(at, "a quote (\") is left open; close it, or leave it out");
         if (list_.points.empty() && columns_ == 0 && faults_.empty() && is_heading(words))
             return read_heading(line);
         read_pair(words, at);

@@ -34,17 +34,21 @@ void Checkpoints::save(const State& state, const Observers& observers, double wa
                        Durability durability, const std::function<void()>& last_look) {
     make_directory(folder_);
     for (const auto& observer : observers) observer->sync();
-    ArchiveWriter archive(current());
-    put_surroundings(archive, settings_, wall_seconds, observers);
-    save_state(archive, state);
+    ArchiveBuffer surroundings;
+    put_surroundings(surroundings, settings_, wall_seconds, observers);
     if (last_look) {
-        archive.put_value<std::int64_t>(last_look_taken, 1);
+        surroundings.put_value<std::int64_t>(last_look_taken, 1);
         last_look();
         for (const auto& observer : observers) observer->sync();
-        archive.enter(after_last_look);
-        for (const auto& observer : observers) observer->save(archive);
+        surroundings.enter(after_last_look);
+        for (const auto& observer : observers) observer->save(surroundings);
     }
-    archive.commit(previous(), durability);
+    with_second_try([&] {
+        ArchiveWriter archive(current());
+        archive.put_all(surroundings);
+        save_state(archive, state);
+        archive.commit(previous(), durability);
+    });
     saved_step_ = state.step;
 }
 

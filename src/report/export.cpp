@@ -86,7 +86,10 @@ void remove_numbered(const fs::path& folder, std::string_view before, std::strin
 void begin_export(const fs::path& out, std::string_view readme,
                   std::span<const NumberedFiles> earlier) {
     const fs::path note = out / "README.txt";
-    const bool empty = !fs::exists(out) || (fs::is_directory(out) && fs::is_empty(out));
+    if (fs::exists(out) && !fs::is_directory(out))
+        throw IoError(fmt::format("'{}' is a file; name a folder with -o, which the export makes",
+                                  out.string()));
+    const bool empty = !fs::exists(out) || fs::is_empty(out);
     const bool ours = fs::exists(note) && read_file(note).starts_with(our_readme);
     if (!empty && !ours)
         throw IoError(
@@ -96,8 +99,10 @@ void begin_export(const fs::path& out, std::string_view readme,
     make_directory(out);
     write_text(note, readme);
     for (const NumberedFiles& files : earlier) {
-        make_directory(out / files.folder);
-        remove_numbered(out / files.folder, files.before, files.behind);
+        const fs::path folder = out / files.folder;
+        if (!fs::exists(folder)) continue;
+        remove_numbered(folder, files.before, files.behind);
+        if (*files.folder != '\0' && fs::is_empty(folder)) fs::remove(folder);
     }
 }
 

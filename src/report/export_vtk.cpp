@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/tell.hpp"
 #include "base/undefined.hpp"
 #include "io/file.hpp"
 #include "io/vtk.hpp"
@@ -199,7 +200,8 @@ constexpr const char* vtk_readme =
 Units: lengths um, times ms, velocities mm/s, pressures Pa, forces N/m (per unit depth).
 The tables (csv) and frames.h5 are in SI: m, s, m/s.
 
-flow.pvd   one image a frame (flow/flow_NNNNNN.vti); points are the sites of the lattice
+flow.pvd   one image a frame that holds the flow (flow/flow_NNNNNN.vti; output.fields); points
+           are the sites of the lattice
            velocity [mm/s], pressure [Pa] (above its value at rest), cytoplasm fraction
 cells.pvd  one set of cells a frame (cells/cells_NNNNNN.vtp): each outline is a line,
            and its inside is filled with triangles, of concave cells too
@@ -228,6 +230,7 @@ void export_vtk(const fs::path& directory, const fs::path& out) {
     const FramesReader& frames = *opened;
     constexpr NumberedFiles earlier[] = {{"flow", "flow_", ".vti"}, {"cells", "cells_", ".vtp"}};
     begin_export(out, vtk_readme, earlier);
+    make_directory(out / "cells");
     std::vector<PvdEntry> flow, cells;
     for (int k = 0; k < frames.count(); ++k) {
         const Frame frame = frames.frame(k);
@@ -235,10 +238,17 @@ void export_vtk(const fs::path& directory, const fs::path& out) {
         cells.push_back({frame.time * ms, fmt::format("cells/cells_{:06d}.vtp", number)});
         write_cells(out / cells.back().file, frames.header(), frame);
         if (frame.velocity.empty()) continue;
+        if (flow.empty()) make_directory(out / "flow");
         flow.push_back({frame.time * ms, fmt::format("flow/flow_{:06d}.vti", number)});
         write_flow(out / flow.back().file, frames.header(), frame);
     }
-    write_pvd(out / "flow.pvd", flow);
+    fs::remove(out / "flow.pvd");  // of an earlier export
+    if (flow.empty())
+        tell_user(
+            "no frame holds the flow, so there is no flow.pvd; [output] fields = \"never\" "
+            "leaves it out of frames\n");
+    else
+        write_pvd(out / "flow.pvd", flow);
     write_pvd(out / "cells.pvd", cells);
 }
 

@@ -108,13 +108,15 @@ def is_sound(folder):
 
 
 def follow(message, settings):
-    """What the first fault advises: key = value to write, or a key to leave out."""
+    """What the first fault advises: settings that were tried, key = value to write, or a key to leave out."""
     message = (message.splitlines() or [""])[0]
     table = re.search(r"\[(\w+(?:\.\w+)?)\]", message)
     known = {key.rsplit(".", 1)[-1]: key for key, _ in ends} | {k.rsplit(".", 1)[-1]: k for k in settings}
     beside = re.search(r"--set (\w+(?:\.\w+)*)\.\w+=", message)  # as in "needs aspect_ratio = 1.5"
     table = table or beside
     full = lambda word: word if "." in word else known.get(word, f"{table[1]}.{word}" if table else word)
+    if tried := re.search(r"Write ((?:--set [\w.]+=(?:\"[^\"]*\"|[\w.+-]+) )+)\(tried", message):
+        return {key: value.strip('"') for key, value in re.findall(r'--set ([\w.]+)=("[^"]*"|\S+)', tried[1])}
     if both := re.search(r"(\w+) and (\w+) are both given", message):
         return {full(both[2]): None}
     if write := re.search(r'(?:[Ww]rite|needs) (?:at most )?([\w.]+) = ("[^"]*"|\[.*\]|[\w.+-]+)', message):

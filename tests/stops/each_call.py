@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Kills a run at each single file-system call, and lets each fail, of a start, a resume and an end. Whatever happened, the same command must then
-come to the same files as a run that met nothing. Run with `--every 1` for all of them; usage: each_call.py PROGRAM SHIM [--every N]"""
+come to the same files as a run that met nothing. A file that is put in its place as a whole has a second try: one error does not show. Run with `--every 1` for all of them; usage: each_call.py PROGRAM SHIM [--every N]"""
 import argparse
 import errno
 import sys
@@ -13,12 +13,41 @@ ERRORS = [errno.ENOSPC, errno.EIO, errno.EDQUOT, errno.EACCES, errno.ENOENT]
 PHASES = {"start": (None, ["--until", "100 us"]), "resume": ("part", ["--until", "200 us"]), "end": ("part", [])}
 
 
-def count_calls(runs, shim, phase):
+# Files that are written beside their place and moved there, and what renames them.
+PLACED = ["/status.json.tmp", "/PROVENANCE.json.tmp", "/summary.json.tmp", "/checkpoint/current.tmp", "/status.json", "/checkpoint/current"]
+
+
+def first_and_last_of_each_kind(calls):
+    numbers = {}
+    for number, (name, path) in enumerate(calls, 1):
+        if name == "rename" or (path.endswith(".tmp") and name in ("open", "write", "fsync", "close")):
+            numbers.setdefault(name, []).append(number)
+    return sorted({number for all_of in numbers.values() for number in (all_of[0], all_of[-1])})
+
+
+def show_errors_once(runs, shim, phase, whole):
+    """Lets one call on each of those files fail; tells how many errors were not made up for at once."""
+    tried = wrong = 0
+    for file in PLACED:
+        calls = count_calls(runs, shim, phase, FAULTY_ENDS=file)
+        for number in first_and_last_of_each_kind(calls):
+            settings = {"FAULTY_ENDS": file, "FAULTY_AT": str(number), "FAULTY_ERROR": str(errno.EIO)}
+            tried += 1
+            if fault := what_is_wrong(runs, shim, phase, settings, [0 if phase == "end" else 75], whole):
+                wrong += 1
+                print(f"{phase}, one error at call {number}, {' '.join(calls[number - 1])}: {fault}")
+    print(f"{phase}: one error at {tried} calls that have a second try, {wrong} wrong", flush=True)
+    return wrong
+
+
+def count_calls(runs, shim, phase, **settings):
     before, options = PHASES[phase]
     log = runs.folder / "log"
     log.unlink(missing_ok=True)
     prepare(runs, before)
-    runs.run("tried", *options, environment=faulty(runs, shim, FAULTY_LOG=str(log)))
+    runs.run("tried", *options, environment=faulty(runs, shim, FAULTY_LOG=str(log), **settings))
+    if not log.exists():
+        return []
     return [line.split(" ", 2)[1:] for line in log.read_text().splitlines()]
 
 
@@ -73,6 +102,7 @@ def main():
                         print(f"{phase}, {kind} at call {number}, {' '.join(calls[number - 1])} {environment}: {fault}")
                 print(f"{phase}: {kind} at {tried} of {len(calls)} calls, {wrong} wrong", flush=True)
                 failures += wrong
+            failures += show_errors_once(runs, options.shim, phase, whole)
     sys.exit(1 if failures else 0)
 
 

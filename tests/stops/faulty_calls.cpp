@@ -1,6 +1,7 @@
 // A library to preload before the program: lets one file-system call below a directory fail, or
 // kills the process at it. Read from the environment:
 //   FAULTY_BELOW   the directory; calls on other files are left alone and not counted
+//   FAULTY_ENDS    how the path of a call must end, else it is left alone and not counted too
 //   FAULTY_AT      the number of the call, from 1; 0 or absent: none, all are counted
 //   FAULTY_ERROR   the errno to fail with; absent: the process is killed before the call
 //   FAULTY_HALF    a write at which the process is killed is first done by half
@@ -52,7 +53,9 @@ std::string path_of(int descriptor) {
 
 bool below(const std::string& path) {
     const std::string directory = setting("FAULTY_BELOW");
-    return !directory.empty() && path.rfind(directory, 0) == 0;
+    const std::string end = setting("FAULTY_ENDS");
+    return !directory.empty() && path.rfind(directory, 0) == 0 && path.size() >= end.size() &&
+           path.compare(path.size() - end.size(), end.size(), end) == 0;
 }
 
 void log_call(int number, const char* name, const std::string& path) {
@@ -65,13 +68,14 @@ void log_call(int number, const char* name, const std::string& path) {
     std::fflush(log);
 }
 
+std::atomic<int> calls{0};  ///< of all kinds
+
 /// Counts the call. True if it is the one to fail, with errno set; does not come back if it is the
 /// one to be killed at, which `half` precedes.
 template <class Half>
 bool fails(const char* name, const std::string& path, Half half) {
-    static std::atomic<int> count{0};
     if (!below(path)) return false;
-    const int number = ++count;
+    const int number = ++calls;
     log_call(number, name, path);
     if (number != std::atoi(setting("FAULTY_AT"))) return false;
     const int error = std::atoi(setting("FAULTY_ERROR"));

@@ -243,6 +243,22 @@ TEST(Export, directory_without_frames_is_told) {
     EXPECT_THROW(export_csv(scratch / "absent", scratch / "csv"), IoError);
 }
 
+TEST(Csv, a_quote_left_open_is_told_with_its_line) {
+    ScratchFolder scratch;
+    for (const char* text : {"time [s],x\n0,1\n1,\"2\n2,3\n", "time [s],\"x\n0,1\n"}) {
+        std::ofstream(scratch / "t.csv") << text;
+        const bool in_heading = std::string(text).find("\"x") != std::string::npos;
+        const std::string place = (scratch / "t.csv").string() + (in_heading ? ":1" : ":3");
+        try {
+            read_csv(scratch / "t.csv");
+            FAIL() << text;
+        } catch (const IoError& error) {
+            EXPECT_EQ(std::string(error.what()),
+                      place + ": a quote (\") is left open; close it, or leave it out");
+        }
+    }
+}
+
 TEST(Csv, last_line_that_is_still_being_written_is_left_out) {
     ScratchFolder scratch;
     std::ofstream(scratch / "t.csv") << "time [s],x,y\n0,1,2\n1,2";
@@ -257,6 +273,12 @@ TEST(Export, leaves_folders_of_others_alone_and_renews_its_own) {
     EXPECT_THROW(export_csv(scratch / "run", scratch / "mine"), IoError);
     EXPECT_THROW(export_vtk(scratch / "run", scratch / "mine"), IoError);
     EXPECT_EQ(text_of(scratch / "mine" / "nodes_000099.csv"), "mine");
+    try {
+        export_csv(scratch / "run", scratch / "mine" / "nodes_000099.csv");
+        FAIL() << "a file was taken for a folder";
+    } catch (const IoError& error) {
+        EXPECT_NE(std::string(error.what()).find("is a file; name a folder"), std::string::npos);
+    }
     export_csv(scratch / "run", scratch / "csv");
     std::ofstream(scratch / "csv" / "nodes_000099.csv") << "of a longer run";
     export_csv(scratch / "run", scratch / "csv");

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 
 #include <filesystem>
@@ -83,6 +84,29 @@ TEST_F(Files, a_pipe_is_read_up_to_the_same_bound) {
     much.join();
     std::signal(SIGPIPE, former);
     EXPECT_NE(refusal(path("pipe"), Author::program).find("pipe"), std::string::npos);
+}
+
+/// Into which nobody writes: told at once. One that is written to is waited for.
+TEST_F(Files, a_pipe_without_a_writer_is_told_at_once) {
+    ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_NE(refusal(path("pipe"), Author::user).find("it is a pipe, not a file"),
+              std::string::npos);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+    std::thread slow([this] {
+        const int descriptor = ::open(path("pipe").c_str(), O_WRONLY);
+        std::this_thread::sleep_for(std::chrono::milliseconds(600));
+        EXPECT_EQ(::write(descriptor, "late", 4), 4);
+        ::close(descriptor);
+    });
+    EXPECT_EQ(read_file(path("pipe"), Author::user), "late");
+    slow.join();
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    EXPECT_EQ(::write(ends[1], "given", 5), 5);
+    ::close(ends[1]);
+    EXPECT_EQ(read_file("/dev/fd/" + std::to_string(ends[0]), Author::user), "given");
+    ::close(ends[0]);
 }
 
 /// As on a disk that fills up in the middle of it.

@@ -117,6 +117,22 @@ TEST(FlowKeys, what_is_judged_does_not_depend_on_the_direction) {
     EXPECT_EQ(left.advice.size(), right.advice.size());
 }
 
+TEST(FlowKeys, several_cells_that_do_not_harden_are_told_where_they_broke) {
+    const auto told = [](std::vector<std::string> set) {
+        set.insert(set.end(), {"numerics.dx=0.5 um", "domain.length=40 um"});
+        const Case c = read_case(channel, set);
+        const Choice choice = choose(c);
+        const Model model = discretise(c, choice);
+        for (const Advice& advice : appraise(c, choice, model, initial_state(c, model)).advice)
+            if (advice.text.find("several cells whose tension") != std::string::npos) return true;
+        return false;
+    };
+    const std::string soft = "membrane.hardening.apply_to=[]", few = "cells.count=4";
+    EXPECT_TRUE(told({soft, few, "flow.pseudo_shear_rate=1200 /s"}));
+    EXPECT_FALSE(told({soft, few, "flow.pseudo_shear_rate=500 /s"}));
+    EXPECT_FALSE(told({few, "flow.pseudo_shear_rate=1200 /s"}));
+}
+
 TEST(FlowKeys, flows_that_no_run_survives_are_refused_with_one_that_it_does) {
     const auto told = [](std::vector<std::string> set) {
         return faults_of([&] { read_case(channel, set); });
@@ -129,7 +145,12 @@ TEST(FlowKeys, flows_that_no_run_survives_are_refused_with_one_that_it_does) {
         EXPECT_EQ(told(set), "");
     };
     follows({"flow.pseudo_shear_rate=2e5 /s", "membrane.hardening.apply_to=[]"},
-            "at most 3 is possible", "flow.pseudo_shear_rate=500 /s");
+            "at most 2 is possible", "flow.pseudo_shear_rate=500 /s");
+    const std::string in_shear = faults_of([&] {
+        read_case(TT_SOURCE_DIR "/cases/03-cell-in-shear/case.toml",
+                  {"flow.shear_rate=2e5 /s", "membrane.hardening.apply_to=[]"});
+    });
+    EXPECT_NE(in_shear.find("at most 3 is possible"), std::string::npos) << in_shear;
     follows({"membrane.law=surface-tension"}, "write apply_to = []",
             "membrane.hardening.apply_to=[]");
     follows({"flow.pseudo_shear_rate=1e5 /s", "plasma.viscosity=0.01 cP"}, "turbulent",

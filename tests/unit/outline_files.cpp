@@ -95,6 +95,8 @@ TEST(OutlineFile, has_its_bad_lines_told_ten_at_most) {
               "o.csv:3:1: nan is no coordinate of a cell\n"
               "o.csv:4:1: 'six' is no number; expected two: x, y in um\n"
               "o.csv:5:1: 1e30 is no coordinate of a cell");
+    EXPECT_EQ(faults_of("1,2\n\"3,4\n\"5\",6\n"),
+              "o.csv:2:1: a quote (\") is left open; close it, or leave it out");
     std::string many = "1,2\n";
     for (int k = 0; k < 1000; ++k) many += "3\n";
     const std::string told = faults_of(many);
