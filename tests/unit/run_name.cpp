@@ -14,7 +14,8 @@ const std::string rest =
     "format = 1\n[domain]\nlength = \"20 um\"\nwidth = \"12 um\"\n[cells]\nradius = \"3 um\"\n"
     "[time]\nend = \"1 ms\"\n";
 
-std::string faults_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+std::string faults_of_case(const std::string& text,
+                           const std::vector<std::string>& overrides = {}) {
     try {
         parse_case(text, "case.toml", overrides);
     } catch (const CaseError& error) {
@@ -33,9 +34,9 @@ TEST(RunName, one_that_leaves_results_or_no_disk_can_hold_is_refused_with_one_th
           std::string("a\0b", 3), std::string("a\\b")}) {
         EXPECT_TRUE(fault_of_name(name)) << name;
         EXPECT_FALSE(fault_of_name(name_from(name))) << name_from(name);
-        EXPECT_NE(faults_of(rest, {"name=\"" + name + "\""}), "none") << name;
+        EXPECT_NE(faults_of_case(rest, {"name=\"" + name + "\""}), "none") << name;
     }
-    EXPECT_EQ(faults_of("name = \"../up\"\n" + rest),
+    EXPECT_EQ(faults_of_case("name = \"../up\"\n" + rest),
               "case.toml:1:1: name may hold letters of ASCII, digits, spaces and marks, but no "
               "'/' and no '\\'; write name = \"run.__up\"");
     EXPECT_EQ(name_from("\xc3\xa9"), "run");
