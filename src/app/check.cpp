@@ -219,7 +219,7 @@ void print_verdict(const Appraisal& a) {
 
 /// Steps that are made to tell their pace show more than the short try.
 void advise_on_probe(const Probe& p, const Case& c, const Model& model, Appraisal& a) {
-    if (p.instability)
+    if (p.instability && p.instability->step <= a.steps)  // timing goes on beyond a short run
         a.advice.push_back(refusal_after(*p.instability, c, model, initial_state(c, model)));
     else if (p.steps_per_second > 0.0 && takes_long(seconds_to_finish(a, p)))
         a.advice.push_back({Advice::Weight::consider, remark_on_length(seconds_to_finish(a, p))});

@@ -19,12 +19,11 @@ double most_memory() {
     return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-/// Steps a second of the fastest batch.
-double pace(const Model& model, State& state) {
+/// Sets the steps a second of the fastest batch, as far as it comes.
+void measure_pace(const Model& model, State& state, double& best) {
     constexpr double patience = 0.3;  // s
     Periodic exchange;
     Health health(HealthLimits{}, state);
-    double best = 0.0;
     int steps = 2;
     for (double total = 0.0; total < patience;) {
         const auto begin = Clock::now();
@@ -35,7 +34,6 @@ double pace(const Model& model, State& state) {
         total += seconds;
         if (seconds < 0.05) steps *= 2;
     }
-    return best;
 }
 
 }  // namespace
@@ -44,7 +42,7 @@ Probe probe(const Model& model, State state) {
     Probe result;
     result.threads = model.threads;
     try {
-        result.steps_per_second = pace(model, state);
+        measure_pace(model, state, result.steps_per_second);
     } catch (const SimulationError& error) {
         result.instability = error.instability();
     }
