@@ -136,7 +136,7 @@ def colours_tell(page, folder):
     rows = [row for row in csv.DictReader((folder / "cells.csv").open()) if row["cell"] == "0"]
     row = min(rows, key=lambda r: abs(float(r["time [s]"]) - 4e-3))
     found = page.run("""(() => { const p = data.playing[0].player, s = p.stretch, at = p.frame(clock.time()) * p.nodeCount;
-        return [...s.level.slice(at, at + p.first[1])].map((b) => [s.low + (s.high - s.low) * b / 255, s.tension[b]]); })()""")
+        return [...s.level.slice(at, at + p.first[1])].map((b) => [s.low + (s.high - s.low) * b / 255, s.tension[0][b]]); })()""")
     step = page.run("(data.playing[0].player.stretch.high - data.playing[0].player.stretch.low) / 255")
     near(max(s for s, _ in found), float(row["stretch_max"]), 0.51 * step, "largest stretch")
     near(min(s for s, _ in found), float(row["stretch_min"]), 0.51 * step, "smallest stretch")
