@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/vec2.hpp"
+#include "grid/lattice.hpp"
 
 namespace tt {
 
