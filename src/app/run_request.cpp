@@ -39,10 +39,8 @@ RunRequest request_for(const Case& c, const Choice& choice, const Model& model) 
     request.checkpoint = c.output.checkpoint;
     if (!c.numerics.fluid_only && choice.shear_rate.si != 0.0)
         for (const Case& one : cases_by_kind(c))
-            request.shear_number =
-                std::max(request.shear_number.value_or(0.0),
-                         c.plasma.viscosity.si * std::abs(choice.shear_rate.si) *
-                             equivalent_radius(one).si / one.membrane.shear_modulus.si);
+            request.shear_number = std::max(request.shear_number.value_or(0.0),
+                                            shear_number_at(one, choice.shear_rate));
     return request;
 }
 

@@ -62,7 +62,7 @@ void count_all(const Case& c, const Choice& choice, const State& initial, Apprai
 /// Of each kind, from its case.
 void characterise_kinds(const Case& c, const Choice& choice, const Suspension& cells,
                         Appraisal& a) {
-    const double k = std::abs(choice.shear_rate.si), dx = choice.dx.si;
+    const double dx = choice.dx.si;
     const double mu = c.plasma.viscosity.si;
     for (const Case& one : cases_by_kind(c)) {
         const auto n = static_cast<std::int32_t>(a.kinds.size());
@@ -70,7 +70,7 @@ void characterise_kinds(const Case& c, const Choice& choice, const Suspension& c
         a.kinds.push_back({c.kinds.empty() ? "" : c.kinds[n].name,
                            static_cast<int>(std::count(cells.kind.begin(), cells.kind.end(), n)),
                            radius / dx, one.cells.cytoplasm_viscosity.si / mu,
-                           mu * k * radius / modulus,
+                           shear_number_at(one, choice.shear_rate),
                            std::sqrt(one.membrane.bending_modulus.si / modulus) / dx,
                            one.membrane.membrane_viscosity.si / (mu * radius),
                            one.membrane.bending_viscosity.si / (mu * radius * radius * radius)});

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <string>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -83,28 +80,15 @@ double of_longest_step(StepAt&& step_at) {
     return best / 100.0;
 }
 
-/// The limits of all kinds, of each the tightest, the tightest first. What sets one is told where
-/// it is not the same for all.
+/// Of all kinds.
 std::vector<StepLimit> limits_of_kinds(const Case& c, const std::vector<Case>& kinds,
                                        const Undisturbed& flow, const Choice& choice, double tau) {
-    std::map<std::string, std::vector<StepLimit>> by_name;
+    std::vector<std::vector<StepLimit>> limits;
     for (std::size_t n = 0; n < kinds.size(); ++n)
-        for (StepLimit& limit : step_limits(kinds[n], flow, choice.equilibrium, choice.dx, tau,
-                                            choice.kinds[n].expected_stretch,
-                                            membrane_of(kinds[n].membrane, Scales{}))) {
-            limit.kind = static_cast<int>(n);
-            by_name[limit.name].push_back(std::move(limit));
-        }
-    const auto shorter = [](const StepLimit& a, const StepLimit& b) { return a.step < b.step; };
-    std::vector<StepLimit> limits;
-    for (auto& [name, of_kinds] : by_name) {
-        const auto [least, most] = std::minmax_element(of_kinds.begin(), of_kinds.end(), shorter);
-        if (least->step < most->step)
-            least->reason += fmt::format(" (kind '{}')", c.kinds[least->kind].name);
-        limits.push_back(std::move(*least));
-    }
-    std::stable_sort(limits.begin(), limits.end(), shorter);
-    return limits;
+        limits.push_back(step_limits(kinds[n], flow, choice.equilibrium, choice.dx, tau,
+                                     choice.kinds[n].expected_stretch,
+                                     membrane_of(kinds[n].membrane, Scales{})));
+    return tightest_of_kinds(limits, c.kinds);
 }
 
 /// Of Δt, τ and S: what is given stays, the rest follows. Which τ `auto` takes does not depend on

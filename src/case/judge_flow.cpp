@@ -100,8 +100,7 @@ void judge_shear_number(Judge& judge, const Case& c, double asked) {
                                                 Dimension{}, 2)));
         return;
     }
-    const double shear_number = c.plasma.viscosity.si * rate_of(c).value_or(0.0) *
-                                equivalent_radius(c).si / c.membrane.shear_modulus.si;
+    const double shear_number = shear_number_at(c, Rate{rate_of(c).value_or(0.0)});
     if (shear_number <= largest) return;
     const auto [key, value] = flow_times(c.flow, usual_shear_number / shear_number);
     judge.tell(

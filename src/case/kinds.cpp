@@ -80,6 +80,11 @@ std::vector<CellTypeCase*> cell_types(Case& c) {
 Length smallest_cell_radius(const Case& c) { return Length{extreme_radius(c, false)}; }
 Length largest_cell_radius(const Case& c) { return Length{extreme_radius(c, true)}; }
 
+double shear_number_at(const Case& one, Rate rate) {
+    return one.plasma.viscosity.si * std::abs(rate.si) * equivalent_radius(one).si /
+           one.membrane.shear_modulus.si;
+}
+
 double viscosity_contrast(const Case& c) {
     double largest = 1.0;
     for (const Case& one : cases_by_kind(c)) {

@@ -19,6 +19,9 @@ std::vector<CellTypeCase*> cell_types(Case& c);
 Length smallest_cell_radius(const Case& c);
 Length largest_cell_radius(const Case& c);
 
+/// G = μ k a/E_s (Eq. 19) of cells of one kind, at the shear rate `rate`, either sign.
+double shear_number_at(const Case& one, Rate rate);
+
 /// By how many times the viscosities inside and outside differ, whichever is the larger, at most.
 double viscosity_contrast(const Case& c);
 

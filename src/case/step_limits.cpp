@@ -136,7 +136,7 @@ public:
 
 private:
     void add(std::string name, double step, std::string reason, double change = 0.0) {
-        limits_.push_back({std::move(name), Time{step}, std::move(reason), 0, change});
+        limits_.push_back({std::move(name), Time{step}, std::move(reason), change});
     }
     void add_accuracy(std::string name, double step, std::string reason) {
         add(std::move(name), step, std::move(reason), tolerance());
@@ -205,6 +205,37 @@ std::vector<StepLimit> step_limits(const Case& c, const Undisturbed& flow,
     if (cells) limits.add_bending(membrane, stretch);
     if (limits.empty()) limits.add_physical();
     return std::move(limits).sorted();
+}
+
+std::vector<StepLimit> tightest_of_kinds(const std::vector<std::vector<StepLimit>>& of_kinds,
+                                         const std::vector<KindCase>& kinds) {
+    if (of_kinds.size() == 1) return of_kinds.front();
+    struct Tightest {
+        StepLimit limit;
+        std::size_t kind;
+        Time longest;
+    };
+    std::vector<Tightest> found;
+    for (std::size_t n = 0; n < of_kinds.size(); ++n)
+        for (const StepLimit& limit : of_kinds[n]) {
+            const auto same = std::find_if(found.begin(), found.end(), [&](const Tightest& other) {
+                return other.limit.name == limit.name;
+            });
+            if (same == found.end()) {
+                found.push_back({limit, n, limit.step});
+                continue;
+            }
+            same->longest = std::max(same->longest, limit.step);
+            if (limit.step < same->limit.step) *same = {limit, n, same->longest};
+        }
+    std::vector<StepLimit> limits;
+    for (auto& [limit, kind, longest] : found) {
+        if (limit.step < longest) limit.reason += fmt::format(" (kind '{}')", kinds[kind].name);
+        limits.push_back(std::move(limit));
+    }
+    std::stable_sort(limits.begin(), limits.end(),
+                     [](const StepLimit& a, const StepLimit& b) { return a.step < b.step; });
+    return limits;
 }
 
 }  // namespace tt

@@ -20,7 +20,6 @@ struct StepLimit {
     std::string name;    ///< "Reynolds number", "Mach number", …
     Time step;           ///< largest Δt it allows
     std::string reason;  ///< one line with the numbers
-    int kind = 0;        ///< of which cells
     double change = 0.0;  ///< of D, ε, λ_C or μ_rel that goes with `step`, and grows in proportion
                           ///< to Δt; 0: a limit of stability
 };
@@ -66,5 +65,10 @@ double stretch_of_hardened(const Membrane& membrane, double expected_stretch);
 std::vector<StepLimit> step_limits(const Case& c, const Undisturbed& flow,
                                    const Equilibrium& equilibrium, Length dx, double tau,
                                    double stretch, const Membrane& membrane);
+
+/// Of the limits of each kind of cells the tightest, in order. Whose it is, is told where it is not
+/// the same for all.
+std::vector<StepLimit> tightest_of_kinds(const std::vector<std::vector<StepLimit>>& of_kinds,
+                                         const std::vector<KindCase>& kinds);
 
 }  // namespace tt

@@ -106,11 +106,12 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
 
     // … and of the cells again.
     for_own_cells(s.cells, [&](int cell) {
-        const auto& [name, membrane, jump] = kind_of(cell);
+        const CellKind& kind = kind_of(cell);
+        const Membrane& membrane = kind.membrane;
         if (const Leader leader = leader_of(m, s, cell)) return follow(leader, s.cells, cell);
         interpolate(order, sites.stencils, velocity, s.cells, cell);  // Eq. 7
         if (walls) interpolate_cut(order, sites.cut, velocity, s.cells, cell);
-        correct_velocities(jump, s.cells, cell);
+        correct_velocities(kind.jump, s.cells, cell);
         if (walls) weaken_corrections(sites.cut, s.cells, cell);
         average_in_time(s.cells, cell, first_step);
         if (membrane.mobility > 0.0) answer_with_tension(membrane.mobility, s.cells, cell);

@@ -7,15 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
+#include "simulation/sound_state.hpp"
 
 namespace tt {
 namespace {
 
-[[noreturn]] void refuse() {
-    throw DamagedArchive(
-        "the checkpoint cannot be loaded: its list of cells that come in is wrong");
-}
+[[noreturn]] void refuse() { refuse_checkpoint("its list of cells that come in is wrong"); }
 
 constexpr std::array follower_numbers{std::pair{"followers.cell", &Follower::cell},
                                       std::pair{"followers.leader", &Follower::leader},

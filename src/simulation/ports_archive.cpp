@@ -7,14 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
+#include "simulation/sound_state.hpp"
 
 namespace tt {
 namespace {
-
-[[noreturn]] void refuse(const char* why) {
-    throw DamagedArchive(fmt::format("the checkpoint cannot be loaded: {}", why));
-}
 
 /// Two densities and two inflows each.
 std::vector<double> array_of(const std::vector<PortFlow>& ports) {
@@ -61,14 +57,14 @@ std::vector<Departed> load_departed(const ArchiveReader& archive, std::size_t ex
     const auto nodes = archive.take<std::int64_t>("departed.nodes");
     const auto rest_length = archive.take<double>("departed.rest_length");
     if (exit.size() != id.size() || kind.size() != id.size() || nodes.size() != id.size())
-        refuse("its list of cells that left is wrong");
+        refuse_checkpoint("its list of cells that left is wrong");
     std::vector<Departed> departed(id.size());
     auto length = rest_length.begin();
     for (std::size_t k = 0; k < id.size(); ++k) {
         if (exit[k] < 0 || exit[k] >= static_cast<std::int64_t>(exits) || kind[k] < 0 ||
             kind[k] >= static_cast<std::int64_t>(kinds) || nodes[k] < 0 ||
             nodes[k] > rest_length.end() - length)
-            refuse("its list of cells that left is wrong");
+            refuse_checkpoint("its list of cells that left is wrong");
         departed[k].id = id[k];
         departed[k].exit = exit[k];
         departed[k].kind = kind[k];
@@ -77,9 +73,10 @@ std::vector<Departed> load_departed(const ArchiveReader& archive, std::size_t ex
     }
     for (const auto& [name, member] : departed_numbers) {
         const auto numbers = archive.take<double>(name);
-        if (numbers.size() != id.size()) refuse("its list of cells that left is wrong");
+        if (numbers.size() != id.size()) refuse_checkpoint("its list of cells that left is wrong");
         for (std::size_t k = 0; k < id.size(); ++k) {
-            if (!std::isfinite(numbers[k])) refuse("a cell that left has a number not finite");
+            if (!std::isfinite(numbers[k]))
+                refuse_checkpoint("a cell that left has a number not finite");
             departed[k].*member = numbers[k];
         }
     }
@@ -93,7 +90,7 @@ void expect_numbers(const State& state) {
     std::sort(numbers.begin(), numbers.end());
     for (std::size_t k = 0; k < numbers.size(); ++k)
         if (numbers[k] != static_cast<std::int64_t>(k))
-            refuse("the numbers of its cells are wrong");
+            refuse_checkpoint("the numbers of its cells are wrong");
 }
 
 }  // namespace
@@ -109,20 +106,22 @@ void load_ports(const ArchiveReader& archive, const Model& model, State& state) 
     state.ports.resize(model.boundaries.ports.size());
     if (!state.ports.empty()) {
         const auto numbers = archive.take<double>("ports");
-        if (numbers.size() != array_of(state.ports).size()) refuse("it is of other ports");
+        if (numbers.size() != array_of(state.ports).size())
+            refuse_checkpoint("it is of other ports");
         const double* from = numbers.data();
         for (PortFlow& port : state.ports)
             for (auto* pair : {&port.density, &port.inflow})
                 for (double& number : *pair) number = *from++;
         for (const double number : numbers)
-            if (!std::isfinite(number)) refuse("'ports' holds a number that is not finite");
+            if (!std::isfinite(number))
+                refuse_checkpoint("'ports' holds a number that is not finite");
     }
     if (!archive.has("departed.id")) return;
     std::vector<std::int32_t>& id = state.cells.id;
     state.departed = load_departed(archive, model.exits.size(), model.kinds.size());
     id = archive.take<std::int32_t>("id");
     if (id.size() != static_cast<std::size_t>(state.cells.cell_count()))
-        refuse("the numbers of its cells are wrong");
+        refuse_checkpoint("the numbers of its cells are wrong");
     expect_numbers(state);
 }
 

@@ -5,14 +5,10 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
+#include "simulation/sound_state.hpp"
 
 namespace tt {
 namespace {
-
-[[noreturn]] void refuse(const char* why) {
-    throw DamagedArchive(fmt::format("the checkpoint cannot be loaded: {}", why));
-}
 
 /// Calls visit(number) for each that is not whole: the one order of save, load and hash.
 template <class S, class Visit>
@@ -63,7 +59,7 @@ void load_sections(const ArchiveReader& archive, const Model& model, State& stat
         for (auto& velocity : state.sections[n].velocity)
             velocity.resize(read ? model.sections[n].line.rows.size() : 0);
     if (reals.size() != reals_of(state).size() || counts.size() < 3 * state.sections.size())
-        refuse("it is of other sections");
+        refuse_checkpoint("it is of other sections");
     const double* real = reals.data();
     const std::int64_t* count = counts.data();
     std::size_t sides = counts.size() - 3 * state.sections.size();
@@ -76,18 +72,19 @@ void load_sections(const ArchiveReader& archive, const Model& model, State& stat
         const std::int64_t known = *count++;
         if (s.forward < 0 || s.backward < 0 || known < 0 ||
             static_cast<std::size_t>(known) > std::min(sides, cells))
-            refuse("its counts of cells at sections are wrong");
+            refuse_checkpoint("its counts of cells at sections are wrong");
         sides -= static_cast<std::size_t>(known);
         s.side.resize(static_cast<std::size_t>(known));
     }
-    if (sides != 0) refuse("its counts of cells at sections are wrong");
+    if (sides != 0) refuse_checkpoint("its counts of cells at sections are wrong");
     for (SectionState& s : state.sections)
         for (std::int8_t& side : s.side) {
-            if (*count < -1 || *count > 1) refuse("a cell is on no side of a section");
+            if (*count < -1 || *count > 1) refuse_checkpoint("a cell is on no side of a section");
             side = static_cast<std::int8_t>(*count++);
         }
     for (const double number : reals)
-        if (!std::isfinite(number)) refuse("'sections' holds a number that is not finite");
+        if (!std::isfinite(number))
+            refuse_checkpoint("'sections' holds a number that is not finite");
 }
 
 void hash_sections(const State& state, Checksum& sum) {

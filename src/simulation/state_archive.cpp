@@ -12,44 +12,11 @@
 #include "simulation/feed_archive.hpp"
 #include "simulation/ports_archive.hpp"
 #include "simulation/sections_archive.hpp"
+#include "simulation/sound_state.hpp"
+#include "simulation/state_arrays.hpp"
 
 namespace tt {
 namespace {
-
-/// Calls visit(name, array) for every array but the populations: the one list that save, load and
-/// hash go by.
-template <class S, class Visit>
-void for_each_array(S& state, Visit&& visit) {
-    auto& cells = state.cells;
-    visit("first", cells.first);
-    visit("x", cells.x);
-    visit("y", cells.y);
-    visit("fx", cells.fx);
-    visit("fy", cells.fy);
-    visit("pair_fx", cells.pair_fx);
-    visit("pair_fy", cells.pair_fy);
-    visit("ux", cells.ux);
-    visit("uy", cells.uy);
-    visit("ux_sampled", cells.ux_sampled);
-    visit("uy_sampled", cells.uy_sampled);
-    visit("rest_curvature", cells.rest_curvature);
-    visit("rest_length", cells.rest_length);
-    visit("reference_area", cells.reference_area);
-    visit("reference_perimeter", cells.reference_perimeter);
-    visit("alpha", cells.alpha);
-    visit("area", cells.area);
-    visit("perimeter", cells.perimeter);
-    visit("interior.x", state.interior.x);
-    visit("interior.y", state.interior.y);
-}
-
-/// The same of what membranes without viscosity hold as zeros: it counts in the hash where it is
-/// not.
-template <class C, class Visit>
-void for_each_viscous(C& cells, Visit&& visit) {
-    visit("viscous_tension", cells.viscous_tension);
-    visit("viscous_moment", cells.viscous_moment);
-}
 
 template <class S, class Visit>
 void for_each_number(S& state, Visit&& visit) {
@@ -77,10 +44,6 @@ std::vector<double> plane_of(const Populations<Real>& populations, int i) {
     return plane;
 }
 
-[[noreturn]] void refuse(std::string_view why) {
-    throw DamagedArchive(fmt::format("the checkpoint cannot be loaded: {}", why));
-}
-
 template <class Real>
 void load_populations(const ArchiveReader& archive, Exchange& exchange, const std::string& prefix,
                       Populations<Real>& populations) {
@@ -90,7 +53,7 @@ void load_populations(const ArchiveReader& archive, Exchange& exchange, const st
     const auto nx = static_cast<std::size_t>(lattice.nx);
     for (int i = 0; i < d2q9::count; ++i) {
         const auto plane = archive.take<double>(prefix + plane_name(i));
-        if (plane.size() != nx * lattice.ny) refuse("it is of another lattice");
+        if (plane.size() != nx * lattice.ny) refuse_checkpoint("it is of another lattice");
         for (int j = 0; j < lattice.ny; ++j) {
             const double* const from = plane.data() + nx * j;
             std::transform(from, from + nx, populations.data() + populations.row(i, j),
@@ -98,90 +61,6 @@ void load_populations(const ArchiveReader& archive, Exchange& exchange, const st
         }
     }
     if (odd) exchange.fill(populations);  // as `settle` left it
-}
-
-/// The fewest nodes of a cell, as `add_cell` asks.
-constexpr std::int32_t fewest_nodes = 8;
-
-/// Positions are unwrapped; a cell that has gone round a billion sites is none of ours.
-constexpr double farthest = 1e9;
-
-void expect_cells(const Suspension& cells) {
-    if (cells.first.empty() || cells.first.front() != 0) refuse("its list of cells is wrong");
-    for (std::size_t c = 1; c < cells.first.size(); ++c) {
-        const std::int64_t nodes = std::int64_t{cells.first[c]} - cells.first[c - 1];
-        if (nodes < fewest_nodes) refuse("its list of cells is wrong");
-    }
-}
-
-void expect_sizes(const State& state) {
-    const Suspension& cells = state.cells;
-    const auto nodes = static_cast<std::size_t>(cells.node_count());
-    for (const auto* per_node :
-         {&cells.x, &cells.y, &cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux,
-          &cells.uy, &cells.ux_sampled, &cells.uy_sampled, &cells.rest_curvature,
-          &cells.rest_length, &cells.viscous_tension, &cells.viscous_moment, &state.interior.x,
-          &state.interior.y}) {
-        if (per_node->size() != nodes) refuse("an array is not of one number per node");
-    }
-    const auto count = static_cast<std::size_t>(cells.cell_count());
-    bool sized = cells.kind.size() == count;
-    for (const auto* per_cell : {&cells.reference_area, &cells.reference_perimeter, &cells.alpha,
-                                 &cells.area, &cells.perimeter}) {
-        sized = sized && per_cell->size() == count;
-    }
-    if (!sized) refuse("an array is not of one number per cell");
-}
-
-/// Every number of the cells and of the drive is finite; `smallest_gap` alone may be nan.
-void expect_finite(const State& state) {
-    const auto expect = [](const char* name, const auto& values) {
-        for (const auto value : values) {
-            if (!std::isfinite(static_cast<double>(value)))
-                refuse(fmt::format("'{}' holds a number that is not finite", name));
-        }
-    };
-    for_each_array(state, expect);
-    for_each_viscous(state.cells, expect);
-    if (state.step < 0) refuse("its step is negative");
-    if (!std::isfinite(state.drive.body_force) || !std::isfinite(state.drive.integral))
-        refuse("its drive is not finite");
-}
-
-void expect_kinds(int kinds, const Suspension& cells) {
-    for (const std::int32_t kind : cells.kind)
-        if (kind < 0 || kind >= kinds) refuse("a cell is of a kind that is not there");
-}
-
-/// Every node stands where the lattice can be asked for it: between the walls, and each cell within
-/// a stretch that a membrane can have.
-void expect_places(const Lattice& lattice, const Suspension& cells) {
-    const double longest = 4.0 * (lattice.nx + lattice.ny);
-    for (int c = 0; c < cells.cell_count(); ++c) {
-        const Vec2 start = cells.position(cells.first[c]);
-        for (int n = cells.first[c]; n < cells.first[c + 1]; ++n) {
-            const Vec2 p = cells.position(n);
-            if (std::abs(p.x) > farthest || std::abs(p.y) > farthest || norm(p - start) > longest)
-                refuse("a node is far from its cell");
-            if (lattice.walls && !(p.y > 0.0 && p.y < lattice.ny))
-                refuse("a node is beyond a wall");
-        }
-    }
-}
-
-/// Before anything is computed from it: what was saved from a sound run is sound, but a file may be
-/// forged, or have been in bad memory when its checksum was made.
-void expect_sound(const Model& model, const State& state) {
-    const Lattice& lattice = model.lattice;
-    expect_cells(state.cells);
-    expect_sizes(state);
-    expect_kinds(static_cast<int>(model.kinds.size()), state.cells);
-    expect_finite(state);
-    expect_places(lattice, state.cells);
-    for (std::size_t n = 0; n < state.cells.x.size(); ++n) {
-        if (std::abs(state.interior.x[n]) > farthest || std::abs(state.interior.y[n]) > farthest)
-            refuse("the cytoplasm was laid far from its cell");
-    }
 }
 
 }  // namespace
