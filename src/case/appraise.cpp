@@ -71,7 +71,9 @@ void characterise_kinds(const Case& c, const Choice& choice, const Suspension& c
                            static_cast<int>(std::count(cells.kind.begin(), cells.kind.end(), n)),
                            radius / dx, one.cells.cytoplasm_viscosity.si / mu,
                            shear_number_at(one, choice.shear_rate),
-                           std::sqrt(one.membrane.bending_modulus.si / modulus) / dx,
+                           one.membrane.rigid
+                               ? 0.0
+                               : std::sqrt(one.membrane.bending_modulus.si / modulus) / dx,
                            one.membrane.membrane_viscosity.si / (mu * radius),
                            one.membrane.bending_viscosity.si / (mu * radius * radius * radius)});
     }
@@ -130,6 +132,7 @@ void bound_membrane(const Choice& choice, const Model& model, std::size_t kind, 
     const double plasma = model.viscosity.plasma, cytoplasm = model.viscosity.cytoplasm[kind];
     const double viscosity = 0.5 * (plasma + cytoplasm);
     const Membrane& membrane = model.kinds[kind].membrane;
+    if (membrane.rigid) return;
     const double stretch = choice.kinds[kind].expected_stretch;
     const bool late = choice.relaxation_time > 1.5;
     a.bounds.push_back({"membrane tension",

@@ -139,6 +139,7 @@ struct HardeningCase {
 };
 
 struct MembraneCase {
+    bool rigid = false;           ///< none of the other keys counts
     InPlane law;                  ///< its modulus is the next key
     Tension shear_modulus{6e-6};  ///< E_s
     BendingModulus bending_modulus{1.8e-19};

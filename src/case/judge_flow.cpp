@@ -84,6 +84,7 @@ bool hardens(const MembraneCase& membrane) {
 /// Cells in a flow that is so fast, or so viscous, for their membrane that no step and no grid
 /// keeps them whole. The same limit as of shear_number.
 void judge_shear_number(Judge& judge, const Case& c, double asked) {
+    if (c.membrane.rigid) return;
     const double unhardened =
         c.flow.shear() ? largest_unhardened_in_shear : largest_unhardened_in_channel;
     const double largest = hardens(c.membrane) ? largest_shear_number : unhardened;

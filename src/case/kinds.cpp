@@ -44,6 +44,14 @@ void expect_some_of_each(const Case& c, const std::vector<int>& numbers) {
     if (!faults.empty()) throw CaseError(std::move(faults));
 }
 
+/// A rigid body has none, and plasma within.
+void without_membrane(Case& one) {
+    one.cells.cytoplasm_viscosity = one.plasma.viscosity;
+    one.membrane.hardening.apply_to.clear();
+    one.membrane.membrane_viscosity = {};
+    one.membrane.bending_viscosity = {};
+}
+
 double extreme_radius(const Case& c, bool largest) {
     double result = largest ? 0.0 : HUGE_VAL;
     for (const Case& one : cases_by_kind(c)) {
@@ -56,8 +64,8 @@ double extreme_radius(const Case& c, bool largest) {
 }  // namespace
 
 std::vector<Case> cases_by_kind(const Case& c) {
-    if (c.kinds.empty()) return {c};
     std::vector<Case> cases;
+    if (c.kinds.empty()) cases.push_back(c);
     for (const KindCase& kind : c.kinds) {
         Case& one = cases.emplace_back(c);
         one.kinds.clear();
@@ -68,6 +76,8 @@ std::vector<Case> cases_by_kind(const Case& c) {
         if (auto* layout = std::get_if<AtPositions>(&one.cells.layout))
             layout->positions = kind.positions;
     }
+    for (Case& one : cases)
+        if (one.membrane.rigid) without_membrane(one);
     return cases;
 }
 
@@ -81,6 +91,7 @@ Length smallest_cell_radius(const Case& c) { return Length{extreme_radius(c, fal
 Length largest_cell_radius(const Case& c) { return Length{extreme_radius(c, true)}; }
 
 double shear_number_at(const Case& one, Rate rate) {
+    if (one.membrane.rigid) return 0.0;
     return one.plasma.viscosity.si * std::abs(rate.si) * equivalent_radius(one).si /
            one.membrane.shear_modulus.si;
 }

@@ -9,7 +9,7 @@ namespace tt {
 
 /// The case as it would be if all its cells were of one kind, for each of its kinds in their order:
 /// sizes, shapes and limits of the step are judged by these. The case itself where it has no
-/// [[kind]]. Their `count` and `positions` are those of the kind, if it has them.
+/// [[kind]]; with plasma in the place of what is within a rigid body. Their `count` and `positions` are those of the kind, if it has them.
 std::vector<Case> cases_by_kind(const Case& c);
 
 /// [cells], and every kind.
@@ -19,7 +19,8 @@ std::vector<CellTypeCase*> cell_types(Case& c);
 Length smallest_cell_radius(const Case& c);
 Length largest_cell_radius(const Case& c);
 
-/// G = μ k a/E_s (Eq. 19) of cells of one kind, at the shear rate `rate`, either sign.
+/// G = μ k a/E_s (Eq. 19) of cells of one kind, at the shear rate `rate`, either sign; 0 of a rigid
+/// body.
 double shear_number_at(const Case& one, Rate rate);
 
 /// By how many times the viscosities inside and outside differ, whichever is the larger, at most.

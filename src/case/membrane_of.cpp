@@ -23,6 +23,7 @@ Hardening hardening_of(const HardeningCase& h) {
 
 Membrane membrane_of(const MembraneCase& m, const Scales& scales) {
     Membrane membrane;
+    membrane.rigid = m.rigid;
     membrane.in_plane = m.law;
     std::visit([&](auto& law) { law.shear_modulus = scales.to_lattice(m.shear_modulus); },
                membrane.in_plane);
@@ -43,7 +44,7 @@ bool repels(const Case& c) {
 bool is_drop(const MembraneCase& m) { return std::holds_alternative<SurfaceTension>(m.law); }
 
 bool tension_is_implicit(const Case& c) {
-    return c.numerics.implicit_tension && !is_drop(c.membrane);
+    return c.numerics.implicit_tension && !is_drop(c.membrane) && !c.membrane.rigid;
 }
 
 }  // namespace tt

@@ -39,6 +39,7 @@ std::vector<Usual> numbers_of_flow(const Case& c, const Choice& choice) {
 
 void add_numbers_of_kind(const Case& c, std::vector<Usual>& list) {
     list.push_back({"cells.radius", c.cells.radius.si, 5e-7, 2e-5, Length::dimension});
+    if (c.membrane.rigid) return;
     list.push_back({"cells.cytoplasm_viscosity", c.cells.cytoplasm_viscosity.si, 3e-4, 0.2,
                     Viscosity::dimension});
     list.push_back(

@@ -160,6 +160,8 @@ template <>
 struct FieldList<MembraneCase> {
     using T = MembraneCase;
     static constexpr auto entries = std::tuple{
+        FieldEntry{"rigid", &T::rigid,
+                   "a body that keeps its shape, free to move and turn, in the place of a cell"},
         FieldEntry{"law", &T::law, "tension as a function of stretch (Eqs. 10, 11)"},
         FieldEntry{"shear_modulus",
                    &T::shear_modulus,

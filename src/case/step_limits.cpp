@@ -174,7 +174,7 @@ bool carries_cells(const Case& c) {
 }
 
 double expected_stretch(const Case& c, const Undisturbed& flow, const Membrane& membrane) {
-    if (c.numerics.fluid_only) return 1.0;
+    if (c.numerics.fluid_only || c.membrane.rigid) return 1.0;
     const double modulus = c.membrane.shear_modulus.si;
     const double shear_number =
         c.plasma.viscosity.si * flow.wall_rate.si * equivalent_radius(c).si / modulus;
@@ -191,9 +191,10 @@ std::vector<StepLimit> step_limits(const Case& c, const Undisturbed& flow,
                                    double stretch, const Membrane& membrane) {
     Limits limits(c, flow, dx, tau);
     const bool moves = flow.shear_rate.si > 0.0, cells = !c.numerics.fluid_only;
+    const bool membranes = cells && !c.membrane.rigid;
     if (moves && cells)
         limits.add_flow_reynolds(!std::holds_alternative<LinearEquilibrium>(equilibrium));
-    if (!moves && cells) limits.add_relaxation_reynolds();
+    if (!moves && membranes) limits.add_relaxation_reynolds();
     if (moves && carries_cells(c)) limits.add_delay();
     if (moves && cells && std::holds_alternative<PressureDrive>(c.flow.drive) &&
         std::holds_alternative<FullEquilibrium>(equilibrium))
@@ -201,8 +202,8 @@ std::vector<StepLimit> step_limits(const Case& c, const Undisturbed& flow,
     if (moves) limits.add_mach();
     if (const double frequency = highest_frequency(c); moves && frequency > 0.0)
         limits.add_unsteady(frequency, c.domain.width.si);
-    if (cells) limits.add_tension(membrane, stretch);
-    if (cells) limits.add_bending(membrane, stretch);
+    if (membranes) limits.add_tension(membrane, stretch);
+    if (membranes) limits.add_bending(membrane, stretch);
     if (limits.empty()) limits.add_physical();
     return std::move(limits).sorted();
 }

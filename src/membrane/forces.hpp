@@ -17,6 +17,7 @@ struct Membrane {
     bool hold_area = false;       ///< membrane/area.hpp
     MembraneViscosity viscosity;
     double mobility = 0.0;  ///< m of membrane/implicit_tension.hpp; 0: tension is explicit
+    bool rigid = false;     ///< membrane/rigid.hpp: none of the above acts
 };
 
 /// Sets fx, fy of a cell to the membrane forces of Eqs. 10–15, and the stiffness of each of its

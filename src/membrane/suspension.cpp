@@ -31,11 +31,15 @@ constexpr std::array per_node{&Suspension::x,
                               &Suspension::rate_xy,
                               &Suspension::rest_curvature,
                               &Suspension::rest_length,
-                              &Suspension::stiffness,
-                              &Suspension::viscous_tension,
-                              &Suspension::viscous_moment};
+                              &Suspension::stiffness};
 constexpr std::array per_cell{&Suspension::reference_area, &Suspension::reference_perimeter,
                               &Suspension::alpha, &Suspension::area, &Suspension::perimeter};
+
+template <class Visit>
+void for_each_per_node(Visit&& visit) {
+    for (const auto array : per_node) visit(array);
+    for (const CarriedLoad& load : carried_loads) visit(load.values);
+}
 
 void number_last(Suspension& cells) {
     cells.id.push_back(cells.id.empty() ? 0 : cells.id.back() + 1);
@@ -58,8 +62,9 @@ void number_cells(Suspension& cells) {
 
 void remove_cell(Suspension& cells, int cell) {
     const int begin = cells.first[cell], end = cells.first[cell + 1];
-    for (const auto array : per_node)
+    for_each_per_node([&](auto array) {
         (cells.*array).erase((cells.*array).begin() + begin, (cells.*array).begin() + end);
+    });
     for (const auto array : per_cell) (cells.*array).erase((cells.*array).begin() + cell);
     cells.id.erase(cells.id.begin() + cell);
     cells.led.erase(cells.led.begin() + cell);
@@ -70,9 +75,10 @@ void remove_cell(Suspension& cells, int cell) {
 
 void copy_cell(const Suspension& from, int cell, Vec2 by, Suspension& to) {
     const int begin = from.first[cell], end = from.first[cell + 1], first = to.first.back();
-    for (const auto array : per_node)
+    for_each_per_node([&](auto array) {
         (to.*array).insert((to.*array).end(), (from.*array).begin() + begin,
                            (from.*array).begin() + end);
+    });
     for (const auto array : per_cell) (to.*array).push_back((from.*array)[cell]);
     to.kind.push_back(from.kind[cell]);
     to.first.push_back(first + end - begin);
@@ -104,8 +110,9 @@ void add_cell(Suspension& cells, const std::vector<Vec2>& points, int kind) {
     cells.first.push_back(cells.first.back() + static_cast<std::int32_t>(n));
     for (auto* zero :
          {&cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux, &cells.uy,
-          &cells.ux_sampled, &cells.uy_sampled, &cells.viscous_tension, &cells.viscous_moment})
+          &cells.ux_sampled, &cells.uy_sampled})
         zero->resize(cells.x.size(), 0.0);
+    for (const CarriedLoad& load : carried_loads) (cells.*load.values).resize(cells.x.size(), 0.0);
     size_derived(cells);
     number_last(cells);
     cells.kind.push_back(kind);

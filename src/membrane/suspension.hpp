@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -26,6 +27,7 @@ struct Suspension {
     std::vector<double> dipole_xx,
         dipole_xy;  ///< symmetric, traceless force dipole on the fluid (coupling/jump.hpp)
     std::vector<double> viscous_moment;  ///< membrane/viscosity.hpp
+    std::vector<double> rigid_fx, rigid_fy;  ///< λ ds of a rigid body (membrane/rigid.hpp)
     std::vector<double> rate_xx, rate_xy;  ///< ∂ₓuₓ − ∂ᵧuᵧ and ∂ᵧuₓ + ∂ₓuᵧ of the last step
 
     // Per segment, indexed by its first node.
@@ -50,6 +52,17 @@ struct Suspension {
     Vec2 velocity(int node) const { return {ux[node], uy[node]}; }
     Vec2 force(int node) const { return {fx[node], fy[node]}; }
 };
+
+/// A load per node or segment that a cell carries on from step to step, beside where it is; zero
+/// where its kind has none.
+struct CarriedLoad {
+    const char* name;
+    std::vector<double> Suspension::*values;
+};
+inline constexpr std::array carried_loads{
+    CarriedLoad{"viscous_tension", &Suspension::viscous_tension},
+    CarriedLoad{"viscous_moment", &Suspension::viscous_moment},
+    CarriedLoad{"rigid_fx", &Suspension::rigid_fx}, CarriedLoad{"rigid_fy", &Suspension::rigid_fy}};
 
 /// [begin, end) of the cells that are this thread's share, and of their nodes.
 inline std::pair<int, int> own_cells(const Suspension& cells) {

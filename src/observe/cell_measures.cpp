@@ -89,13 +89,15 @@ void measure_stretch(const Suspension& cells, int cell, CellMeasures& m) {
 void measure_stress(const Model& model, const State& state, const PlasmaMap& plasma, int cell,
                     CellMeasures& m) {
     const MembraneStress stress = membrane_stress(model, state, plasma, cell);
+    const Membrane& membrane = model.kind_of(state.cells, cell).membrane;
     const double modulus = std::visit([](const auto& law) { return law.shear_modulus; },
-                                      model.kind_of(state.cells, cell).membrane.in_plane);
+                                      membrane.in_plane);
     const double length = perimeter(outline(state.cells, cell));
     m.stress_traction = model.scales.to_si<Pressure>(stress.traction);
     m.stress_principal = model.scales.to_si<Pressure>(stress.principal);
-    m.shear_number_star_traction = stress.traction * length / modulus;
-    m.shear_number_star_principal = stress.principal * length / modulus;
+    const double per_modulus = membrane.rigid ? 0.0 : length / modulus;
+    m.shear_number_star_traction = stress.traction * per_modulus;
+    m.shear_number_star_principal = stress.principal * per_modulus;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "fluid/collide_stream.hpp"
 #include "membrane/area.hpp"
 #include "membrane/implicit_tension.hpp"
+#include "membrane/rigid.hpp"
 #include "simulation/drive.hpp"
 
 namespace tt {
@@ -64,6 +65,7 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
     // Each thread its share of the cells …
     for_own_cells(s.cells, [&](int cell) {  // Eqs. 10–15
         const Membrane& membrane = kind_of(cell).membrane;
+        if (membrane.rigid) return set_rigid_forces(s.cells, cell);
         set_membrane_forces(membrane, s.cells, cell);
         if (membrane.viscosity)
             add_viscous_forces(membrane.viscosity, m.viscosity.plasma, s.cells, cell);
@@ -114,6 +116,8 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
         correct_velocities(kind.jump, s.cells, cell);
         if (walls) weaken_corrections(sites.cut, s.cells, cell);
         average_in_time(s.cells, cell, first_step);
+        if (membrane.rigid)
+            return move_rigidly(rigid_mobility(m.viscosity.plasma), s.cells, cell);
         if (membrane.mobility > 0.0) answer_with_tension(membrane.mobility, s.cells, cell);
         if (membrane.hold_area) hold_area(s.cells, cell);
         move_nodes(s.cells, cell);

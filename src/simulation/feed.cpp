@@ -170,11 +170,14 @@ void follow(const Leader& leader, Suspension& cells, int cell) {
         cells.x[first + n] = others.x[from + n] + by.x;
         cells.y[first + n] = others.y[from + n] + by.y;
     }
+    const auto copy = [&](auto array) {
+        std::copy_n(&(others.*array)[from], cells.node_count(cell), &(cells.*array)[first]);
+    };
     for (const auto array :
          {&Suspension::ux, &Suspension::uy, &Suspension::ux_sampled, &Suspension::uy_sampled,
-          &Suspension::rate_xx, &Suspension::rate_xy, &Suspension::stiffness,
-          &Suspension::viscous_tension, &Suspension::viscous_moment})
-        std::copy_n(&(others.*array)[from], cells.node_count(cell), &(cells.*array)[first]);
+          &Suspension::rate_xx, &Suspension::rate_xy, &Suspension::stiffness})
+        copy(array);
+    for (const CarriedLoad& load : carried_loads) copy(load.values);
 }
 
 }  // namespace tt

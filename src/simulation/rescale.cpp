@@ -43,9 +43,11 @@ void change_time_step(const Model& model, double ratio, State& state) {
     Suspension& cells = state.cells;
     for (auto* per_step :
          {&cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux, &cells.uy,
-          &cells.ux_sampled, &cells.uy_sampled, &cells.viscous_tension, &cells.viscous_moment}) {
+          &cells.ux_sampled, &cells.uy_sampled}) {
         for (double& value : *per_step) value *= ratio;
     }
+    for (const CarriedLoad& load : carried_loads)
+        for (double& value : cells.*load.values) value *= ratio;
     state.drive.body_force *= ratio;
     state.drive.integral *= ratio;
     for (PortFlow& port : state.ports)

@@ -30,13 +30,15 @@ void expect_cells(const Suspension& cells) {
 void expect_sizes(const State& state) {
     const Suspension& cells = state.cells;
     const auto nodes = static_cast<std::size_t>(cells.node_count());
+    const auto expect_size = [&](const std::vector<double>& per_node) {
+        if (per_node.size() != nodes) refuse_checkpoint("an array is not of one number per node");
+    };
     for (const auto* per_node :
          {&cells.x, &cells.y, &cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux,
           &cells.uy, &cells.ux_sampled, &cells.uy_sampled, &cells.rest_curvature,
-          &cells.rest_length, &cells.viscous_tension, &cells.viscous_moment, &state.interior.x,
-          &state.interior.y}) {
-        if (per_node->size() != nodes) refuse_checkpoint("an array is not of one number per node");
-    }
+          &cells.rest_length, &state.interior.x, &state.interior.y})
+        expect_size(*per_node);
+    for (const CarriedLoad& load : carried_loads) expect_size(cells.*load.values);
     const auto count = static_cast<std::size_t>(cells.cell_count());
     bool sized = cells.kind.size() == count;
     for (const auto* per_cell : {&cells.reference_area, &cells.reference_perimeter, &cells.alpha,
@@ -55,7 +57,7 @@ void expect_finite(const State& state) {
         }
     };
     for_each_array(state, expect);
-    for_each_viscous(state.cells, expect);
+    for (const CarriedLoad& load : carried_loads) expect(load.name, state.cells.*load.values);
     if (state.step < 0) refuse_checkpoint("its step is negative");
     if (!std::isfinite(state.drive.body_force) || !std::isfinite(state.drive.integral))
         refuse_checkpoint("its drive is not finite");

@@ -97,9 +97,8 @@ void save_state(ArchiveOutput& archive, const State& state, const std::string& p
     for_each_array(
         state, [&](const char* name, const auto& values) { archive.put(prefix + name, values); });
     archive.put(prefix + "kind", state.cells.kind);  // no part of the hash: alike kinds act alike
-    for_each_viscous(state.cells, [&](const char* name, const auto& values) {
-        archive.put(prefix + name, values);
-    });
+    for (const CarriedLoad& load : carried_loads)
+        archive.put(prefix + load.name, state.cells.*load.values);
     if (prefix.empty()) {  // the channel of a feed has none of these
         save_ports(archive, state);
         save_sections(archive, state);
@@ -130,9 +129,8 @@ State load_state(const ArchiveReader& archive, const Model& model, Exchange& exc
             archive.take<typename std::remove_cvref_t<decltype(values)>::value_type>(prefix + name);
     });
     state.cells.kind = archive.take<std::int32_t>(prefix + "kind");
-    for_each_viscous(state.cells, [&](const char* name, auto& values) {
-        values = archive.take<double>(prefix + name);
-    });
+    for (const CarriedLoad& load : carried_loads)
+        state.cells.*load.values = archive.take<double>(prefix + load.name);
     expect_sound(model, state);
     number_cells(state.cells);
     if (prefix.empty()) {
@@ -158,10 +156,11 @@ std::uint64_t state_hash(const State& state) {
     for_each_array(state, [&](const char*, const auto& values) {
         sum.add(values.data(), values.size() * sizeof values[0]);
     });
-    for_each_viscous(state.cells, [&](const char*, const auto& values) {
+    for (const CarriedLoad& load : carried_loads) {  // counts where there is any
+        const auto& values = state.cells.*load.values;
         if (std::any_of(values.begin(), values.end(), [](double v) { return v != 0.0; }))
             sum.add(values.data(), values.size() * sizeof values[0]);
-    });
+    }
     hash_ports(state, sum);
     hash_sections(state, sum);
     std::visit(

@@ -4,8 +4,8 @@ namespace tt {
 
 // The one list of arrays that save, load, hash and checks of a state go by.
 
-/// Calls visit(name, array) for every array but the populations: the one list that save, load and
-/// hash go by.
+/// Calls visit(name, array) for every array but the populations and the carried loads: the one list
+/// that save, load and hash go by.
 template <class S, class Visit>
 void for_each_array(S& state, Visit&& visit) {
     auto& cells = state.cells;
@@ -29,14 +29,6 @@ void for_each_array(S& state, Visit&& visit) {
     visit("perimeter", cells.perimeter);
     visit("interior.x", state.interior.x);
     visit("interior.y", state.interior.y);
-}
-
-/// The same of what membranes without viscosity hold as zeros: it counts in the hash where it is
-/// not.
-template <class C, class Visit>
-void for_each_viscous(C& cells, Visit&& visit) {
-    visit("viscous_tension", cells.viscous_tension);
-    visit("viscous_moment", cells.viscous_moment);
 }
 
 }  // namespace tt
