@@ -44,7 +44,8 @@ std::string bytes_text(double bytes) {
 /// What the grid must resolve, in sites.
 std::string resolution_text(const Appraisal& a) {
     std::string text =
-        a.bending_length > 0.0
+        a.rigid() ? std::string("rigid bodies")
+        : a.bending_length > 0.0
             ? fmt::format("bending length sqrt(E_b/E_s) {:.2g} sites", a.bending_length)
             : std::string("no bending stiffness");
     if (a.contact_distance > 0.0)

@@ -12,9 +12,12 @@ void print_kinds(const Appraisal& a) {
     if (a.kinds.size() < 2) return;
     for (const KindFigures& kind : a.kinds)
         print_line("kind " + kind.name,
-                   fmt::format("{} cell{}, radius {:.3g} sites, viscosity ratio {:.3g}, G = {}",
-                               kind.cells, kind.cells == 1 ? "" : "s", kind.radius_sites,
-                               kind.viscosity_ratio, plain(kind.shear_number, 3)));
+                   fmt::format("{} cell{}, radius {:.3g} sites, {}", kind.cells,
+                               kind.cells == 1 ? "" : "s", kind.radius_sites,
+                               kind.rigid ? "rigid"
+                                          : fmt::format("viscosity ratio {:.3g}, G = {}",
+                                                        kind.viscosity_ratio,
+                                                        plain(kind.shear_number, 3))));
 }
 
 void print_membrane_viscosity(const Appraisal& a) {

@@ -25,7 +25,8 @@ namespace {
 void resolve(const Case& c, const Choice& choice, const Suspension& cells, Appraisal& a) {
     a.bending_length = HUGE_VAL;
     for (const KindFigures& kind : a.kinds)
-        a.bending_length = std::min(a.bending_length, kind.bending_length);
+        if (!kind.rigid) a.bending_length = std::min(a.bending_length, kind.bending_length);
+    if (a.rigid()) a.bending_length = 0.0;
     if (const MorseContact* morse = c.contact.morse())
         a.contact_distance = morse->zero_force_distance.si / choice.dx.si;
     a.start_radius = HUGE_VAL;
@@ -67,15 +68,13 @@ void characterise_kinds(const Case& c, const Choice& choice, const Suspension& c
     for (const Case& one : cases_by_kind(c)) {
         const auto n = static_cast<std::int32_t>(a.kinds.size());
         const double radius = equivalent_radius(one).si, modulus = one.membrane.shear_modulus.si;
-        a.kinds.push_back({c.kinds.empty() ? "" : c.kinds[n].name,
-                           static_cast<int>(std::count(cells.kind.begin(), cells.kind.end(), n)),
-                           radius / dx, one.cells.cytoplasm_viscosity.si / mu,
-                           shear_number_at(one, choice.shear_rate),
-                           one.membrane.rigid
-                               ? 0.0
-                               : std::sqrt(one.membrane.bending_modulus.si / modulus) / dx,
-                           one.membrane.membrane_viscosity.si / (mu * radius),
-                           one.membrane.bending_viscosity.si / (mu * radius * radius * radius)});
+        a.kinds.push_back(
+            {c.kinds.empty() ? "" : c.kinds[n].name, one.membrane.rigid,
+             static_cast<int>(std::count(cells.kind.begin(), cells.kind.end(), n)), radius / dx,
+             one.cells.cytoplasm_viscosity.si / mu, shear_number_at(one, choice.shear_rate),
+             one.membrane.rigid ? 0.0 : std::sqrt(one.membrane.bending_modulus.si / modulus) / dx,
+             one.membrane.membrane_viscosity.si / (mu * radius),
+             one.membrane.bending_viscosity.si / (mu * radius * radius * radius)});
     }
 }
 
@@ -194,6 +193,10 @@ void size_output(const Case& c, Appraisal& a) {
 bool Appraisal::refused() const {
     return std::any_of(advice.begin(), advice.end(),
                        [](const Advice& x) { return x.weight == Advice::Weight::refuse; });
+}
+
+bool Appraisal::rigid() const {
+    return std::all_of(kinds.begin(), kinds.end(), [](const KindFigures& k) { return k.rigid; });
 }
 
 Appraisal appraise(const Case& c, const Choice& choice, const Model& model, const State& initial) {

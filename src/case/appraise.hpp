@@ -34,6 +34,7 @@ struct Advice {
 /// Of the cells of one kind at the start.
 struct KindFigures {
     std::string name;  ///< empty where there is but one
+    bool rigid = false;
     int cells = 0;
     double radius_sites = 0.0;
     double viscosity_ratio = 1.0;
@@ -60,7 +61,7 @@ struct Appraisal {
     double node_distance = 0.0;   ///< mean, in sites
     double hematocrit = 0.0, viscosity_ratio = 1.0;  ///< of kinds that farthest from 1
     std::vector<KindFigures> kinds;
-    double bending_length = 0.0;    ///< √(E_b/E_s), in sites, of kinds the least
+    double bending_length = 0.0;    ///< √(E_b/E_s), in sites, of membranes the least
     double contact_distance = 0.0;  ///< of zero force, in sites; 0: no contact model
     double start_turn_deg = 0.0;    ///< largest between neighbouring segments of the first shapes
     double start_radius = 0.0;      ///< their smallest radius of curvature, in sites
@@ -81,6 +82,8 @@ struct Appraisal {
     std::vector<Advice> advice;
 
     bool refused() const;
+    /// Whether nothing has a membrane.
+    bool rigid() const;
 };
 
 /// Judges a case. Limits of accuracy are those measured in docs/theory/time-step.md, limits of

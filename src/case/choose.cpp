@@ -108,9 +108,9 @@ void choose_step(const Case& c, const Undisturbed& flow, Choice& choice) {
         }
     }
     const std::vector<Case> kinds = cases_by_kind(c);
-    for (std::size_t n = 0; n < kinds.size(); ++n)
-        choice.kinds[n].expected_stretch =
-            expected_stretch(kinds[n], flow, membrane_of(kinds[n].membrane, Scales{}));
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind)
+        choice.kinds[kind].expected_stretch =
+            expected_stretch(kinds[kind], flow, membrane_of(kinds[kind].membrane, Scales{}));
     const auto limits_at = [&](double tau) { return limits_of_kinds(c, kinds, flow, choice, tau); };
     choice.relaxation_time =
         n.relaxation_time ? *n.relaxation_time

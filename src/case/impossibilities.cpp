@@ -57,6 +57,19 @@ void judge_membrane(Judge& judge, const MembraneCase& membrane) {
                                judge.table("membrane.hardening")));
 }
 
+/// What a body that keeps its shape cannot have.
+void judge_rigid(Judge& judge, const Case& c, bool first) {
+    if (!c.membrane.rigid) return;
+    if (c.cells.initial_stretch.value_or(1.0) != 1.0)
+        judge.tell({"cells.initial_stretch"},
+                   "a rigid body cannot start stretched; write initial_stretch = 1");
+    const ShearDrive* shear = c.flow.shear();
+    if (first && shear && shear->shear_number)
+        judge.tell({"flow.shear_number"},
+                   "shear_number is built on the membrane of the first kind, and a rigid body has "
+                   "none; write shear_rate");
+}
+
 void judge_contact(Judge& judge, const MorseContact& contact) {
     if (contact.energy.si > lysis_tension)
         judge.tell(
@@ -190,6 +203,7 @@ bool judge_kinds(Judge& judge, const Case& c) {
         const Case& one = kinds[n];
         if (!c.kinds.empty()) judge.look_at_kind(c.kinds[n].name);
         judge_membrane(judge, one.membrane);
+        judge_rigid(judge, one, n == 0);
         if (c.numerics.fluid_only) continue;
         if (judge_outline(judge, one)) {
             judge_fit(judge, one);

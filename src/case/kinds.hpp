@@ -9,7 +9,8 @@ namespace tt {
 
 /// The case as it would be if all its cells were of one kind, for each of its kinds in their order:
 /// sizes, shapes and limits of the step are judged by these. The case itself where it has no
-/// [[kind]]; with plasma in the place of what is within a rigid body. Their `count` and `positions` are those of the kind, if it has them.
+/// [[kind]]; with plasma in the place of what is within a rigid body. Their `count` and `positions`
+/// are those of the kind, if it has them.
 std::vector<Case> cases_by_kind(const Case& c);
 
 /// [cells], and every kind.

@@ -206,6 +206,22 @@ void refuse_bad_placements(const Case& c, const Model& m, const Suspension& cell
     if (!faults.empty()) throw CaseError(faults);
 }
 
+/// Dense cells are pressed into their places, which bends them.
+void refuse_bent_bodies(const Case& c, const std::vector<Case>& kinds, const Crowd& crowd,
+                        const std::vector<Placement>& places, const std::string& where) {
+    for (int cell = 0; cell < crowd.count(); ++cell) {
+        const int kind = crowd.shape_of[cell];
+        if (!kinds[kind].membrane.rigid || places[cell].bend.empty()) continue;
+        const std::string who = c.kinds.empty()
+                                    ? "rigid bodies"
+                                    : fmt::format("those of kind '{}'", c.kinds[kind].name);
+        throw CaseError({{"", 0, 0,
+                          fmt::format("{}: so dense cells have to be pressed together, and {} keep "
+                                      "their shape; write a lower hematocrit, or a smaller count",
+                                      where, who)}});
+    }
+}
+
 }  // namespace
 
 void refuse_overlaps(const Model& m, const Suspension& cells) {
@@ -235,6 +251,7 @@ Suspension suspended_cells(const Case& c, const Model& m, const LayoutWatch& wat
     if (c.numerics.fluid_only) return cells;
     const std::vector<Case> kinds = cases_by_kind(c);
     const Start start = start_of(c, kinds, m, watch);
+    refuse_bent_bodies(c, kinds, start.crowd, start.places, "[cells]");
     for (int cell = 0; cell < start.crowd.count(); ++cell) {
         const Placement& place = start.places[cell];
         add_placed(start.crowd, cell, place, cells);
@@ -257,10 +274,11 @@ Suspension cells_of_feed(const Case& c, const Model& network, const Feed& feed,
     const auto seed = static_cast<std::uint64_t>(asked.seed.value_or(1));
     const Crowd crowd = crowd_of(in_channel, shapes_of(cases_by_kind(c), channel.scales.length),
                                  channel.open_area(), 1, seed);
-    const std::string& port = network.port_names[static_cast<std::size_t>(feed.port)];
-    const std::vector<Placement> places =
-        random_placements(crowd, {channel.lattice, channel.boundaries.walls.get()}, seed, watch,
-                          fmt::format("[port.{}.feed]", port));
+    const std::string where =
+        fmt::format("[port.{}.feed]", network.port_names[static_cast<std::size_t>(feed.port)]);
+    const std::vector<Placement> places = random_placements(
+        crowd, {channel.lattice, channel.boundaries.walls.get()}, seed, watch, where);
+    refuse_bent_bodies(c, cases_by_kind(c), crowd, places, where);
     for (int cell = 0; cell < crowd.count(); ++cell) add_placed(crowd, cell, places[cell], cells);
     return cells;
 }

@@ -21,8 +21,8 @@ namespace tt {
 void set_rigid_forces(Suspension& cells, int cell);
 
 /// Takes the sampled velocities of one cell's nodes to those of the nearest rigid motion, least
-/// squares weighted by arc length, and λ along; `mobility` is p. Then moves the nodes by it, exactly
-/// turned.
+/// squares weighted by arc length, and λ along; `mobility` is p. Then moves the nodes by it,
+/// exactly turned.
 void move_rigidly(double mobility, Suspension& cells, int cell);
 
 /// p of a plasma of this kinematic viscosity.

@@ -15,23 +15,13 @@ double turning(Vec2 before, Vec2 after) {
     return 2.0 * cross(before, after) / (norm(before) * norm(after) + dot(before, after));
 }
 
-constexpr std::array per_node{&Suspension::x,
-                              &Suspension::y,
-                              &Suspension::fx,
-                              &Suspension::fy,
-                              &Suspension::pair_fx,
-                              &Suspension::pair_fy,
-                              &Suspension::ux,
-                              &Suspension::uy,
-                              &Suspension::ux_sampled,
-                              &Suspension::uy_sampled,
-                              &Suspension::dipole_xx,
-                              &Suspension::dipole_xy,
-                              &Suspension::rate_xx,
-                              &Suspension::rate_xy,
-                              &Suspension::rest_curvature,
-                              &Suspension::rest_length,
-                              &Suspension::stiffness};
+constexpr std::array per_node{
+    &Suspension::x,           &Suspension::y,         &Suspension::fx,
+    &Suspension::fy,          &Suspension::pair_fx,   &Suspension::pair_fy,
+    &Suspension::ux,          &Suspension::uy,        &Suspension::ux_sampled,
+    &Suspension::uy_sampled,  &Suspension::dipole_xx, &Suspension::dipole_xy,
+    &Suspension::rate_xx,     &Suspension::rate_xy,   &Suspension::rest_curvature,
+    &Suspension::rest_length, &Suspension::stiffness};
 constexpr std::array per_cell{&Suspension::reference_area, &Suspension::reference_perimeter,
                               &Suspension::alpha, &Suspension::area, &Suspension::perimeter};
 
@@ -108,9 +98,8 @@ void add_cell(Suspension& cells, const std::vector<Vec2>& points, int kind) {
     }
     TT_EXPECTS(doubled_area > 0.0);
     cells.first.push_back(cells.first.back() + static_cast<std::int32_t>(n));
-    for (auto* zero :
-         {&cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux, &cells.uy,
-          &cells.ux_sampled, &cells.uy_sampled})
+    for (auto* zero : {&cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux, &cells.uy,
+                       &cells.ux_sampled, &cells.uy_sampled})
         zero->resize(cells.x.size(), 0.0);
     for (const CarriedLoad& load : carried_loads) (cells.*load.values).resize(cells.x.size(), 0.0);
     size_derived(cells);

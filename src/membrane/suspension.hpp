@@ -26,7 +26,7 @@ struct Suspension {
     std::vector<double> rest_curvature;          ///< κ₀
     std::vector<double> dipole_xx,
         dipole_xy;  ///< symmetric, traceless force dipole on the fluid (coupling/jump.hpp)
-    std::vector<double> viscous_moment;  ///< membrane/viscosity.hpp
+    std::vector<double> viscous_moment;      ///< membrane/viscosity.hpp
     std::vector<double> rigid_fx, rigid_fy;  ///< λ ds of a rigid body (membrane/rigid.hpp)
     std::vector<double> rate_xx, rate_xy;  ///< ∂ₓuₓ − ∂ᵧuᵧ and ∂ᵧuₓ + ∂ₓuᵧ of the last step
 

@@ -90,8 +90,8 @@ void measure_stress(const Model& model, const State& state, const PlasmaMap& pla
                     CellMeasures& m) {
     const MembraneStress stress = membrane_stress(model, state, plasma, cell);
     const Membrane& membrane = model.kind_of(state.cells, cell).membrane;
-    const double modulus = std::visit([](const auto& law) { return law.shear_modulus; },
-                                      membrane.in_plane);
+    const double modulus =
+        std::visit([](const auto& law) { return law.shear_modulus; }, membrane.in_plane);
     const double length = perimeter(outline(state.cells, cell));
     m.stress_traction = model.scales.to_si<Pressure>(stress.traction);
     m.stress_principal = model.scales.to_si<Pressure>(stress.principal);

@@ -174,8 +174,9 @@ public:
         for (const char* name : {"strain", "taylor_inertia", "mu_rel", "cfl_envelope"}) {
             const WindowStatistics s = window_statistics(in_window(name));
             if (s.samples > 0) fewest = std::min(fewest, s.samples);
-            // What scatters by less than the program is exact needs no average.
-            if (!(s.sd > 0.01 * std::abs(s.mean))) continue;
+            // What scatters by less than the program is exact, or by rounding alone as the shape of
+            // a rigid body, needs no average.
+            if (!(s.sd > std::max(0.01 * std::abs(s.mean), 1e-11))) continue;
             enough = enough && s.samples >= samples_for_error;
             if (!enough) continue;
             const double times = static_cast<double>(s.samples) / s.correlation_time;

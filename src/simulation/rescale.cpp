@@ -41,9 +41,8 @@ void change_time_step(const Model& model, double ratio, State& state) {
         },
         model.equilibrium, state.sites);
     Suspension& cells = state.cells;
-    for (auto* per_step :
-         {&cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux, &cells.uy,
-          &cells.ux_sampled, &cells.uy_sampled}) {
+    for (auto* per_step : {&cells.fx, &cells.fy, &cells.pair_fx, &cells.pair_fy, &cells.ux,
+                           &cells.uy, &cells.ux_sampled, &cells.uy_sampled}) {
         for (double& value : *per_step) value *= ratio;
     }
     for (const CarriedLoad& load : carried_loads)

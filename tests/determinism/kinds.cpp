@@ -90,7 +90,7 @@ TEST(Kinds, two_of_the_same_values_give_the_bits_of_one) {
     }
 }
 
-/// A stiff thick kind, a drop of thin fluid, a small one, and the usual.
+/// A stiff thick kind, a drop of thin fluid, a small rigid body, and the usual cell.
 const std::string four = R"(
 [[kind]]
 name = "red"
@@ -111,6 +111,7 @@ apply_to = []
 [[kind]]
 name = "platelet"
 share = "20 %"
+rigid = true
 shape = "ellipse"
 aspect_ratio = 2
 radius = "1.7 um"
