@@ -95,7 +95,7 @@ void measure_stress(const Model& model, const State& state, const PlasmaMap& pla
     const double length = perimeter(outline(state.cells, cell));
     m.stress_traction = model.scales.to_si<Pressure>(stress.traction);
     m.stress_principal = model.scales.to_si<Pressure>(stress.principal);
-    const double per_modulus = membrane.rigid ? 0.0 : length / modulus;
+    const double per_modulus = membrane.rigid ? undefined : length / modulus;
     m.shear_number_star_traction = stress.traction * per_modulus;
     m.shear_number_star_principal = stress.principal * per_modulus;
 }

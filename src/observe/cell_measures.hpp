@@ -14,7 +14,7 @@ namespace tt {
 /// All measures of all cells at this step, SI (docs/theory/analysis.md), in the order of their
 /// numbers. `phase` is left 0: it is the time integral of phase_rate, which the series observer
 /// keeps. NaN stands for what is not defined: wall_distance without walls, stress_traction and its
-/// G* where no node's outside can be sampled, the
+/// G* where no node's outside can be sampled, G* of a rigid body, the
 /// inclination of a circle. Precondition: all positions are finite (`health`
 /// looks first).
 std::vector<CellMeasures> measure_cells(const Model& model, const State& state);

@@ -216,6 +216,20 @@ TEST(Kinds, have_what_cells_and_membrane_say_unless_they_say_otherwise) {
     EXPECT_EQ(parse_case(to_toml(c), "again.toml"), c);
 }
 
+TEST(Kinds, that_are_rigid_are_not_pressed_into_a_dense_start) {
+    const std::string dense = "layout = \"random\"\nhematocrit = \"75 %\"\nradius = \"2.2 um\"\n";
+    const std::string bead = same_twice + "rigid = true\n";
+    const Case c = parse_case(channel(dense, bead), "case.toml");
+    try {
+        initial_state(c, discretise(c), {});
+        FAIL() << "taken";
+    } catch (const CaseError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("those of kind 'other' keep their shape"));
+    }
+    const Case soft = parse_case(channel(dense, same_twice), "case.toml");
+    EXPECT_NO_THROW(initial_state(soft, discretise(soft), {}));
+}
+
 TEST(Kinds, that_do_not_exist_cannot_be_set) {
     const auto set = [](const char* item) {
         return faults_of([&] { parse_case(channel(at_random, four), "case.toml", {item}); });
