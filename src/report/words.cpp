@@ -6,10 +6,12 @@
 #include <cstdlib>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "observe/measures.hpp"
+#include "report/frames.hpp"
 
 namespace tt {
 namespace {
@@ -75,6 +77,11 @@ std::string flow_words(const Results& run) {
     return text + ".";
 }
 
+/// Names of the kinds of cells, if there are several.
+std::vector<std::string> kinds_of(const Results& run) {
+    return run.frames ? kind_names(run.frames->header()) : std::vector<std::string>{};
+}
+
 std::string cells_words(const Results& run) {
     if (run.setting("numerics.fluid_only") == "true") return "There are no cells.";
     std::string count = run.setting("cells.count");
@@ -85,15 +92,22 @@ std::string cells_words(const Results& run) {
         count = std::to_string(std::lower_bound(first.begin(), first.end(), nodes) - first.begin());
     }
     std::string text = count.empty() ? "Cells" : count + (count == "1" ? " cell" : " cells");
+    const std::vector<std::string> kinds = kinds_of(run);
+    const bool rigid = run.setting("membrane.rigid") == "true";
+    if (kinds.size() > 1)
+        text += fmt::format(" of {} kinds ({})", kinds.size(), fmt::join(kinds, ", "));
+    else if (rigid)
+        text += count == "1" ? ", a rigid body" : ", rigid bodies";
     std::vector<std::string> details;
     const auto add = [&](const std::string& label, const char* key) {
         const std::string value = run.setting(key);
         if (!value.empty()) details.push_back(label + pretty(value));
     };
-    add("at the start ", "cells.shape");
-    add("radius ", "cells.radius");
+    const bool alike = kinds.size() < 2;
+    if (alike) add("at the start ", "cells.shape");
+    if (alike) add("radius ", "cells.radius");
     add("hematocrit ", "cells.hematocrit");
-    add("cytoplasm ", "cells.cytoplasm_viscosity");
+    if (alike && !rigid) add("cytoplasm ", "cells.cytoplasm_viscosity");
     add("plasma ", "plasma.viscosity");
     if (!details.empty()) text += fmt::format(": {}", fmt::join(details, ", "));
     return text + ".";
@@ -101,7 +115,8 @@ std::string cells_words(const Results& run) {
 
 std::string membrane_words(const Results& run) {
     const std::string law = run.setting("membrane.law");
-    if (law.empty()) return "";
+    if (law.empty() || run.setting("membrane.rigid") == "true") return "";
+    if (kinds_of(run).size() > 1) return "";  // each has its own
     std::string text = "Membrane law " + law;
     const std::string apply = run.setting("membrane.hardening.apply_to");
     if (apply.empty()) return text + ", no hardening.";

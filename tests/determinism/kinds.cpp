@@ -305,6 +305,7 @@ TEST_F(KindsRun, are_told_of_in_every_result) {
     const Outcome reported = run({"report", out});
     ASSERT_EQ(reported.code, 0);
     const std::string page = read_file(reported.out.substr(0, reported.out.find('\n')));
+    EXPECT_NE(page.find(" of 4 kinds (red, stiff, drop, platelet): hematocrit"), std::string::npos);
     EXPECT_NE(page.find("\"kinds\":[\"red\",\"stiff\",\"drop\",\"platelet\"]"), std::string::npos);
     const Outcome checked = run({"check", path("case.toml").string()});
     EXPECT_THAT(checked.out, testing::HasSubstr("kind platelet"));
