@@ -85,12 +85,14 @@ def against(rows, variant):
 def verdict(rows):
     control = against(rows, "alike")
     lines = []
-    for variant, (words, _, seeds, _) in VARIANTS.items():
+    for variant, (words, _, _, _) in VARIANTS.items():
         (at, error), (by_wall, by_wall_error) = against(rows, variant)
         beyond = 2.0 * np.hypot(error, control[0][1])
         judged = ("the control" if variant == "alike" else "one seed" if len([row for row in rows if row["variant"] == variant]) < 2 else
                   "to the walls" if at < -beyond else "to the middle" if at > beyond else "no difference beyond two errors")
-        lines.append(f"- {words}: marked less red, place {at:+.3f} ± {error:.3f}, share by the wall {by_wall:+.3f} ± {by_wall_error:.3f}: {judged}.\n")
+        one = judged == "one seed"
+        lines.append(f"- {words}: marked less red, place {at:+.3f}" + f" ± {error:.3f}" * (not one) + f", share by the wall {by_wall:+.3f}"
+                     + f" ± {by_wall_error:.3f}" * (not one) + f": {judged}.\n")
     return "".join(lines)
 
 
