@@ -106,9 +106,14 @@ constexpr double smallest_viscosity_ratio = 5e-4;
 void advise_on_resolution(const Case& c, const Choice& choice, const Appraisal& a,
                           Adviser& adviser) {
     if (a.cells == 0) return;
-    if (a.radius_sites < 9.5)
-        adviser.consider("{:.3g} sites to the radius of a cell are few; write dx = \"{}\".",
-                         a.radius_sites, spacing_text(c, choice.dx.si * a.radius_sites / 16.0));
+    const KindFigures& smallest = *std::min_element(
+        a.kinds.begin(), a.kinds.end(),
+        [](const auto& one, const auto& other) { return one.radius_sites < other.radius_sites; });
+    if (smallest.radius_sites < 9.5)
+        adviser.consider("{:.3g} sites to the radius of a cell{} are few; write dx = \"{}\".",
+                         smallest.radius_sites,
+                         smallest.name.empty() ? "" : fmt::format(" of kind '{}'", smallest.name),
+                         spacing_text(c, choice.dx.si * smallest.radius_sites / 16.0));
     if (a.start_turn_deg > largest_turn_deg || a.start_radius < smallest_radius_sites)
         adviser.consider(
             "The shape at the start is not resolved: it turns by {:.0f} degrees between segments, "

@@ -309,6 +309,7 @@ TEST_F(KindsRun, are_told_of_in_every_result) {
     EXPECT_NE(page.find("\"kinds\":[\"red\",\"stiff\",\"drop\",\"platelet\"]"), std::string::npos);
     const Outcome checked = run({"check", path("case.toml").string()});
     EXPECT_THAT(checked.out, testing::HasSubstr("kind platelet"));
+    EXPECT_THAT(checked.out, testing::HasSubstr("of kind 'platelet' are few"));
 }
 
 }  // namespace
