@@ -25,7 +25,4 @@ void set_rigid_forces(Suspension& cells, int cell);
 /// exactly turned.
 void move_rigidly(double mobility, Suspension& cells, int cell);
 
-/// p of a plasma of this kinematic viscosity.
-constexpr double rigid_mobility(double plasma) { return 1.0 / plasma + 3.0; }
-
 }  // namespace tt

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vec2.hpp"
+#include "membrane/node_mobility.hpp"
 
 namespace tt {
 namespace {
@@ -131,8 +132,7 @@ void add_viscous_forces(const MembraneViscosity& viscosity, double plasma, Suspe
                         int cell) {
     thread_local std::vector<double> room;
     const Ring m = lay_out(cells, cell, room);
-    // (τ + ½)/ν: the fluid's stress follows its velocity τ − ½ steps late.
-    const double mobility = 1.0 / plasma + 3.0;
+    const double mobility = node_mobility(plasma);
     const int first = cells.first[cell];
     double* const tension = &cells.viscous_tension[first];
     double* const moment = &cells.viscous_moment[first];

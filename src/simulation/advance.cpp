@@ -5,6 +5,7 @@
 #include "fluid/collide_stream.hpp"
 #include "membrane/area.hpp"
 #include "membrane/implicit_tension.hpp"
+#include "membrane/node_mobility.hpp"
 #include "membrane/rigid.hpp"
 #include "simulation/drive.hpp"
 
@@ -116,7 +117,7 @@ void advance(const Model& m, Sites<Real>& sites, State& s, Exchange& x, StepTime
         correct_velocities(kind.jump, s.cells, cell);
         if (walls) weaken_corrections(sites.cut, s.cells, cell);
         average_in_time(s.cells, cell, first_step);
-        if (membrane.rigid) return move_rigidly(rigid_mobility(m.viscosity.plasma), s.cells, cell);
+        if (membrane.rigid) return move_rigidly(node_mobility(m.viscosity.plasma), s.cells, cell);
         if (membrane.mobility > 0.0) answer_with_tension(membrane.mobility, s.cells, cell);
         if (membrane.hold_area) hold_area(s.cells, cell);
         move_nodes(s.cells, cell);

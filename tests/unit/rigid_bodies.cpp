@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "membrane/node_mobility.hpp"
 #include "membrane/outline.hpp"
 #include "membrane/shapes.hpp"
 
@@ -41,7 +42,7 @@ TEST(RigidBodies, keep_their_shape_and_their_loads_sum_to_zero_however_they_turn
     for (int step = 0; step < 400; ++step) {
         set_random_velocities(cells, static_cast<std::uint64_t>(step));
         const Vec2 before = cells.position(1) - cells.position(0);
-        move_rigidly(rigid_mobility(0.3), cells, 0);
+        move_rigidly(node_mobility(0.3), cells, 0);
         const Vec2 after = cells.position(1) - cells.position(0);
         turned += std::atan2(cross(before, after), dot(before, after));
     }
@@ -73,7 +74,7 @@ TEST(RigidBodies, that_move_rigidly_already_are_left_alone) {
         cells.uy[n] = -0.01 + 0.003 * arm.x;
     }
     const Suspension before = cells;
-    move_rigidly(rigid_mobility(0.3), cells, 0);
+    move_rigidly(node_mobility(0.3), cells, 0);
     for (int n = 0; n < cells.node_count(); ++n) {
         EXPECT_NEAR(cells.ux[n], before.ux[n], 1e-14);
         EXPECT_NEAR(cells.uy[n], before.uy[n], 1e-14);
@@ -86,7 +87,7 @@ TEST(RigidBodies, are_loaded_against_what_would_deform_them) {
     Suspension cells = rigid_ellipse();
     for (int n = 0; n < cells.node_count(); ++n) cells.ux[n] = 1e-3 * (cells.y[n] - 20.0);
     const Suspension before = cells;
-    move_rigidly(rigid_mobility(0.3), cells, 0);
+    move_rigidly(node_mobility(0.3), cells, 0);
     set_rigid_forces(cells, 0);
     double power = 0.0;
     for (int n = 0; n < cells.node_count(); ++n) power += dot(cells.force(n), before.velocity(n));

@@ -214,6 +214,30 @@ TEST(StepLimits, know_that_a_hardened_membrane_is_stiffer_when_stretched) {
     EXPECT_TRUE(appraise(c, stated, model, initial_state(c, model)).refused());
 }
 
+TEST(StepLimits, of_a_rigid_body_at_rest_do_not_hold_back_the_cells_beside_it) {
+    const std::string rest = R"(format = 1
+[domain]
+length = "40 um"
+width = "40 um"
+[cells]
+layout = "random"
+count = 2
+radius = "3 um"
+[time]
+end = "1 ms"
+[[kind]]
+name = "red"
+count = 1
+[[kind]]
+name = "bead"
+count = 1
+rigid = )";
+    const Choice soft = choose(parse_case(rest + "false\n", "case.toml"));
+    const Choice rigid = choose(parse_case(rest + "true\n", "case.toml"));
+    EXPECT_EQ(rigid.limits.front().name, soft.limits.front().name);
+    EXPECT_EQ(rigid.dt, soft.dt);
+}
+
 TEST(Stability, slope_and_stretch_are_those_of_the_hardened_law) {
     Membrane membrane;
     membrane.in_plane = NeoHookean{2.0};
